@@ -1,0 +1,51 @@
+"""The errors of FDES: each says what happened, with values and units, and what to do next.
+
+FdesError
+├── AircraftFileError   a file that does not say what an aircraft file must say: file, key, nearest key
+├── NoSuchPart          a name that no shelf knows: shelf, name, nearest name
+├── SpecError           an impossible or unreadable request (a unit, an input, a step size), and why
+├── RecordingError      a file that is not a recording, or one of a version this FDES cannot read
+└── Departed            a flight that left what its plant can describe: which state, when
+
+The command line prints the text of an FdesError and exits with status 2.
+"""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class FdesError(Exception):
+    """What a user can act on. Its text is complete: no traceback is needed to understand it."""
+
+
+class AircraftFileError(FdesError):
+    """An aircraft file that cannot be used."""
+
+
+class SpecError(FdesError):
+    """A request that cannot be understood or cannot be met."""
+
+
+class RecordingError(FdesError):
+    """A file that cannot be read as a recording."""
+
+
+class Departed(FdesError):
+    """A flight that left the range its plant can describe."""
+
+
+class NoSuchPart(FdesError):
+    """A name that a shelf does not hold."""
+
+    def __init__(self, shelf: str, name: str, known: Iterable[str]) -> None:
+        known = sorted(known)
+        self.shelf, self.name, self.nearest = shelf, name, nearest(name, known)
+        hint = f" Did you mean {self.nearest!r}?" if self.nearest else ""
+        super().__init__(f"There is no {shelf} named {name!r}.{hint} Known: {', '.join(known)}.")
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The known name most like `name`, whatever the case, or None where nothing is near."""
+    by_fold = {k.casefold(): k for k in known}
+    found = get_close_matches(name.casefold(), by_fold, n=1, cutoff=0.5)
+    return by_fold[found[0]] if found else None

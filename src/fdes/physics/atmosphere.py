@@ -1,0 +1,58 @@
+"""The US Standard Atmosphere 1976, to 86 km.
+
+Reference: U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, tables 3 and 4 and equations 18, 33a, 33b, 42, 50.
+"""
+
+from typing import NamedTuple
+
+from fdes.elementary import exp, sqrt
+from fdes.errors import SpecError
+from fdes.units import Kelvin, KilogramPerMeter3, Meter, MeterPerSecond, Pascal
+
+R_AIR = 8314.32 / 28.9644  # J/(kg K), eq. 33a constants: R* and M0
+GAMMA_AIR = 1.4  # eq. 50
+G_STANDARD = 9.80665  # m/s^2
+R_EARTH = 6356766.0  # m, the radius that the standard uses for geopotential height, eq. 18
+P0: Pascal = 101325.0
+T0: Kelvin = 288.15
+RHO0: KilogramPerMeter3 = P0 / (R_AIR * T0)
+A0: MeterPerSecond = sqrt(GAMMA_AIR * R_AIR * T0)
+
+# Table 4: geopotential height at the base of the layer [m], temperature gradient in it [K/m].
+_LAYERS = (
+    (0.0, -0.0065),
+    (11000.0, 0.0),
+    (20000.0, 0.001),
+    (32000.0, 0.0028),
+    (47000.0, 0.0),
+    (51000.0, -0.0028),
+    (71000.0, -0.002),
+)
+_TOP = 86000.0
+
+
+class Atmosphere(NamedTuple):
+    """Still air at one height."""
+
+    T: Kelvin
+    p: Pascal
+    rho: KilogramPerMeter3
+    a: MeterPerSecond
+
+
+def standard_atmosphere(h: Meter) -> Atmosphere:
+    """The standard day at geometric height `h` above mean sea level, -5 km to 86 km. Raises SpecError outside."""
+    if not -5000.0 <= h <= _TOP:
+        raise SpecError(f"The standard atmosphere reaches from -5,000 m to 86,000 m; height {h:,.0f} m is outside it.")
+    H = R_EARTH * h / (R_EARTH + h)  # eq. 18, geopotential height
+    T, p = T0, P0
+    for (base, lapse), (top, _) in zip(_LAYERS, (*_LAYERS[1:], (_TOP, 0.0)), strict=True):
+        thickness = min(H, top) - base
+        if lapse == 0.0:
+            p *= exp(-G_STANDARD * thickness / (R_AIR * T))  # eq. 33b
+        else:
+            p *= (T / (T + lapse * thickness)) ** (G_STANDARD / (R_AIR * lapse))  # eq. 33a
+            T += lapse * thickness
+        if top >= H:
+            break
+    return Atmosphere(T, p, p / (R_AIR * T), sqrt(GAMMA_AIR * R_AIR * T))  # eq. 42, 50

@@ -1,0 +1,1 @@
+"""Integrators: Butcher tableaux, one file each, each with its order and its reference."""

@@ -1,0 +1,60 @@
+"""Shelves: families of parts, one file each, found by name. Nothing has to be registered.
+
+A shelf is a package. The file's name is the part's name, and the one name in its ``__all__`` is the part. Another
+distribution may add to a shelf through an entry point of the group ``fdes.<shelf>``, for example ``fdes.laws``.
+
+>>> sorted(shelf("integrators").names())[:2]
+['dopri5', 'euler']
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from importlib.metadata import entry_points
+from pkgutil import iter_modules
+from typing import Any
+
+from fdes.errors import NoSuchPart
+
+SHELVES = {
+    "integrators": "fdes.physics.integrators",
+    "laws": "fdes.control.laws",
+    "inputs": "fdes.flight.inputs",
+}
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """One family of parts."""
+
+    name: str
+    package: str
+
+    def names(self) -> list[str]:
+        """The names of all parts, sorted."""
+        return sorted({*self._own(), *self._foreign()})
+
+    def get(self, name: str) -> Any:
+        """The part called `name`. Raises NoSuchPart with the nearest name."""
+        if name in self._own():
+            module = import_module(f"{self.package}.{name}")
+            (part,) = module.__all__
+            return getattr(module, part)
+        foreign = self._foreign()
+        if name in foreign:
+            return foreign[name].load()
+        raise NoSuchPart(self.name.removesuffix("s"), name, self.names())
+
+    def _own(self) -> list[str]:
+        return [m.name for m in iter_modules(import_module(self.package).__path__)]
+
+    def _foreign(self) -> dict[str, Any]:
+        return {e.name: e for e in entry_points(group=f"fdes.{self.name}")}
+
+
+@cache
+def shelf(name: str) -> Shelf:
+    """The shelf of that name: one of `SHELVES`."""
+    if name not in SHELVES:
+        raise NoSuchPart("shelf", name, SHELVES)
+    return Shelf(name, SHELVES[name])
