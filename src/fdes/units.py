@@ -83,6 +83,19 @@ _TO_SI: dict[str, tuple[str, float]] = {
 }
 _ALIASES = {"°": "deg", "degrees": "deg", "kn": "kt", "knots": "kt", "fps": "ft/s", "kts": "kt", "feet": "ft", "fpm": "ft/min", "sec": "s"}
 
+# What a table shows instead of an SI unit, and the factor from SI: one entry per system of units.
+UNIT_SYSTEMS: dict[str, dict[str, tuple[str, float]]] = {
+    "si": {},
+    "us": {
+        "m": ("ft", 1.0 / FOOT),
+        "m/s": ("ft/s", 1.0 / FOOT),
+        "Pa": ("psf", FOOT**2 / POUND_FORCE),
+        "rad": ("deg", 1.0 / DEG),
+        "rad/s": ("deg/s", 1.0 / DEG),
+        "rad/s^2": ("deg/s^2", 1.0 / DEG),
+    },
+}
+
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 

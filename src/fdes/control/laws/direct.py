@@ -1,0 +1,23 @@
+"""The stick moves the surfaces: the aircraft as it is."""
+
+from dataclasses import dataclass
+
+from fdes.control.law import Stick
+from fdes.physics.signals import Outputs, Surfaces
+
+__all__ = ["Direct"]
+
+
+@dataclass(frozen=True)
+class Direct:
+    """Each surface in proportion to its control. `full_stick` is where full aft, right, right pedal puts them [rad]."""
+
+    full_stick: Surfaces
+
+    def start(self, y: Outputs, stick: Stick) -> None:
+        """Nothing to remember."""
+
+    def step(self, y: Outputs, stick: Stick, memory: None, dt: float) -> tuple[Surfaces, None]:
+        """Surfaces for this stick."""
+        full = self.full_stick
+        return Surfaces(full.elevator * stick.pitch, full.aileron * stick.roll, full.rudder * stick.yaw, stick.throttle), None

@@ -1,0 +1,72 @@
+"""Linear models that know their names, and the exact zero-order hold of the linear plant."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fdes.physics.small_perturbation import ExactHold, Matrices, Matrix, Reference
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """dx/dt = A x + B u about an operating point, every state and input with its name and SI unit.
+
+    A is (n, n) and B (n, m). `units` maps each name to its unit; `point` says what the model was linearized about.
+    """
+
+    A: Array
+    B: Array
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    units: dict[str, str]
+    point: dict[str, Any]
+
+    def part(self, states: tuple[str, ...], inputs: tuple[str, ...]) -> "LinearModel":
+        """The model of these states and inputs alone, all others held at zero."""
+        rows = [self.states.index(s) for s in states]
+        columns = [self.inputs.index(i) for i in inputs]
+        units = {name: self.units[name] for name in (*states, *inputs)}
+        return LinearModel(self.A[np.ix_(rows, rows)], self.B[np.ix_(rows, columns)], states, inputs, units, self.point)
+
+    def longitudinal(self) -> "LinearModel":
+        """States u, w, q, theta; inputs elevator, throttle."""
+        return self.part(("u", "w", "q", "theta"), ("elevator", "throttle"))
+
+    def lateral(self) -> "LinearModel":
+        """States beta, p, r, phi; inputs aileron, rudder."""
+        return self.part(("beta", "p", "r", "phi"), ("aileron", "rudder"))
+
+
+def exact_hold(matrices: Matrices, ref: Reference, h: float) -> ExactHold:
+    """Phi and Gamma of the linear plant for a step of `h` [s], inputs and gusts held.
+
+    One matrix exponential of the augmented system: C. F. Van Loan, IEEE Trans. Automatic Control AC-23 (1978) 395-404.
+    """
+    A_lon, B_lon, A_lat, B_lat = (np.array(m) for m in matrices)
+    # A gust is felt by the aerodynamics as the opposite motion of the aircraft.
+    lon_in = np.column_stack([B_lon, -A_lon[:, 0], -A_lon[:, 1]])
+    lat_in = np.column_stack([B_lat, -A_lat[:, 0] / ref.V])
+    heading = np.zeros((5, 5))
+    heading[:4, :4] = A_lat
+    heading[4, 2] = 1.0 / np.cos(ref.gamma)
+    Phi_lon, Gamma_lon = _hold(A_lon, lon_in, h)
+    Phi_lat, Gamma_lat = _hold(heading, np.vstack([lat_in, np.zeros(3)]), h)
+    return ExactHold(h, Phi_lon, Gamma_lon, Phi_lat, Gamma_lat)
+
+
+def _hold(A: Array, B: Array, h: float) -> tuple[Matrix, Matrix]:
+    from scipy.linalg import expm  # imported here: only the exact hold needs SciPy, and flying must start at once
+
+    n, m = B.shape
+    augmented = np.zeros((n + m, n + m))
+    augmented[:n, :n], augmented[:n, n:] = A, B
+    E = expm(augmented * h)
+    return _rows(E[:n, :n]), _rows(E[:n, n:])
+
+
+def _rows(M: Array) -> Matrix:
+    return tuple(tuple(float(v) for v in row) for row in M)

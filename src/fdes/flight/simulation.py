@@ -1,0 +1,179 @@
+"""The flight itself: one loop, one frame at a time, whoever pilots, whatever flies.
+
+A flight on the command line, in the cockpit and in a test differ only in the clock, the pilot, and who takes the frames.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import count
+from math import isfinite
+from types import MappingProxyType
+from typing import Any, NamedTuple, Protocol
+
+from fdes.control import Law, Stick
+from fdes.errors import Departed, SpecError
+from fdes.physics.signals import Air, Outputs, Surfaces
+
+NO_EXCITATION = Surfaces()
+
+
+class Plant(Protocol):
+    """What flies. Each plant owns its state; all answer the same questions."""
+
+    def start(self, height: float | None = None) -> Any:
+        """The state of undisturbed flight, at `height` [m] or at the height of the condition."""
+        ...
+
+    def trim(self) -> Surfaces:
+        """The surfaces that hold undisturbed flight."""
+        ...
+
+    def observe(self, x: Any, held: Surfaces, air: Air) -> Outputs:
+        """All outputs in state `x` with the surfaces `held`."""
+        ...
+
+    def advance(self, x: Any, command: Surfaces, air: Air, dt: float, substeps: int) -> Any:
+        """The state `dt` [s] later, in `substeps` steps of the integrator."""
+        ...
+
+
+class Weather(Protocol):
+    """How the air moves, with its memory passed through."""
+
+    def start(self) -> tuple[Air, Any]:
+        """The air at the start, and what the weather remembers."""
+        ...
+
+    def step(self, memory: Any, y: Outputs, dt: float) -> tuple[Air, Any]:
+        """The air of the next frame, and what the weather remembers."""
+        ...
+
+
+class Setup(NamedTuple):
+    """What may be changed in flight."""
+
+    plant: Plant
+    law: Law
+
+
+class Edit(NamedTuple):
+    """A change at a frame boundary. What is None stays; `note` is what the recording says of it."""
+
+    plant: Plant | None = None
+    law: Law | None = None
+    state: Any = None
+    note: Mapping[str, Any] = MappingProxyType({})
+
+
+class Frame(NamedTuple):
+    """One instant, complete: the outputs follow from state, held and air, the command from outputs, stick and memory.
+
+    `held` are the surfaces under which the outputs were observed, `command` those of the frame that begins.
+    """
+
+    t: float
+    stick: Stick
+    excitation: Surfaces
+    held: Surfaces
+    command: Surfaces
+    state: Any
+    air: Air
+    outputs: Outputs
+    memory: Any
+    edit: Edit | None
+
+
+@dataclass(frozen=True)
+class Clock:
+    """Frame times t = k dt. `duration` [s] includes its last instant; None runs until nobody asks for more."""
+
+    dt: float
+    substeps: int = 1
+    duration: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.dt) and self.dt > 0.0):
+            raise SpecError(f"The time step is {self.dt:g} s; it must be a positive number, such as 0.01.")
+        if self.substeps < 1:
+            raise SpecError(f"The number of substeps is {self.substeps}; it must be at least 1.")
+        if self.duration is not None and not (isfinite(self.duration) and self.duration >= 0.0):
+            raise SpecError(f"The duration is {self.duration:g} s; it must be zero or more.")
+
+    def __iter__(self) -> Iterator[float]:
+        frames: Iterable[int] = count() if self.duration is None else range(round(self.duration / self.dt) + 1)
+        return (k * self.dt for k in frames)
+
+
+@dataclass(frozen=True)
+class SteadyAir:
+    """Weather that does not change. Without arguments: calm."""
+
+    air: Air = field(default_factory=Air)
+
+    def start(self) -> tuple[Air, None]:
+        """The air, and nothing to remember."""
+        return self.air, None
+
+    def step(self, memory: None, y: Outputs, dt: float) -> tuple[Air, None]:
+        """The same air."""
+        return self.air, None
+
+
+def no_excitation(t: float) -> Surfaces:
+    """Nothing added to what the law commands."""
+    return NO_EXCITATION
+
+
+def no_edits(t: float) -> None:
+    """Nothing changed in flight."""
+    return
+
+
+def fly(
+    x: Any,
+    setup: Setup,
+    pilot: Callable[[float], Stick],
+    weather: Weather,
+    clock: Clock,
+    excitation: Callable[[float], Surfaces] = no_excitation,
+    edits: Callable[[float], Edit | None] = no_edits,
+) -> Iterator[Frame]:
+    """Fly from state `x`, one frame at a time, for as long as the clock runs.
+
+    `excitation` is added to the law's command, as a test input is. `edits` may change plant, law or state at a frame
+    boundary. Raises Departed when the state leaves what numbers can hold.
+    """
+    plant, law = setup
+    held = plant.trim()
+    air, weather_memory = weather.start()
+    y = plant.observe(x, held, air)
+    memory = law.start(y, pilot(0.0))
+    for t in clock:
+        edit = edits(t)
+        stick = pilot(t)
+        if edit is not None:
+            plant, law = edit.plant or plant, edit.law or law
+            if edit.state is not None:
+                x, held = edit.state, plant.trim()
+            y = plant.observe(x, held, air)
+            memory = law.start(y, stick)
+        commanded, remembered = law.step(y, stick, memory, clock.dt)
+        added = excitation(t)
+        command = commanded if added is NO_EXCITATION else Surfaces(*map(float.__add__, commanded, added))
+        yield Frame(t, stick, added, held, command, x, air, y, memory, edit)
+        x = plant.advance(x, command, air, clock.dt, clock.substeps)
+        _must_be_finite(x, t + clock.dt)
+        air, weather_memory = weather.step(weather_memory, y, clock.dt)
+        held, memory = command, remembered
+        y = plant.observe(x, held, air)
+
+
+def _must_be_finite(x: Any, t: float) -> None:
+    """Stop before numbers overflow. The bound is far outside flight, so that an unstable integrator can be watched."""
+    if max(x) < 1e9 and min(x) > -1e9:
+        return
+    name, value = next((n, v) for n, v in x._asdict().items() if not abs(v) < 1e9)
+    raise Departed(
+        f"The flight departed at t = {t:.3f} s: {name} reached {value:.3g}. Either the aircraft is unstable here, or the "
+        "integrator is unstable with this time step: try a smaller one, or the exact hold."
+    )
