@@ -10,6 +10,7 @@ Inside, every number is SI and radians. A unit label is ASCII: ``m/s``, ``rad/s`
 
 import math
 import re
+from collections.abc import Iterable
 from typing import Annotated
 
 from fdes.errors import SpecError, nearest
@@ -119,20 +120,20 @@ def parse(text: str, si: str) -> float:
     if match is None:
         raise SpecError(f"{text!r} is not a number with a unit. Write it like '15 deg' or '170 kt'.")
     number, unit = float(match[1]), match[2] or si
-    label, multiplier = _entry(unit)
+    fitting = [u for u, (s, _) in _TO_SI.items() if s == si]
+    label, multiplier = _entry(unit, fitting)
     if label != si:
-        fitting = ", ".join(u for u, (s, _) in _TO_SI.items() if s == si)
-        raise SpecError(f"{text!r} is in {unit}, which is not a unit of this quantity. Use one of: {fitting}.")
+        raise SpecError(f"{text!r} is in {unit}, which is not a unit of this quantity. Use one of: {', '.join(fitting)}.")
     value = number * multiplier
     if not math.isfinite(value):
         raise SpecError(f"{text!r} is not a finite number.")
     return value
 
 
-def _entry(unit: str) -> tuple[str, float]:
+def _entry(unit: str, likely: Iterable[str] = _TO_SI) -> tuple[str, float]:
     label = _ALIASES.get(unit, unit)
     if label not in _TO_SI:
-        near = nearest(label, _TO_SI)
+        near = nearest(label, likely)
         hint = f" Did you mean {near!r}?" if near else ""
-        raise SpecError(f"Unknown unit {unit!r}.{hint} Known units: {', '.join(_TO_SI)}.")
+        raise SpecError(f"Unknown unit {unit!r}.{hint} Known units: {', '.join(likely)}.")
     return _TO_SI[label]

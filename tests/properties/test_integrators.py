@@ -1,0 +1,57 @@
+"""Integrators: their order is measured, and on a linear plant each is a recursion with its stability function."""
+
+import math
+
+import pytest
+
+from fdes.physics.runge_kutta import Tableau, step
+from fdes.shelf import shelf
+
+NAMES = shelf("integrators").names()
+
+
+def pendulum(y: tuple[float, ...]) -> tuple[float, ...]:
+    """A nonlinear oscillator in (angle, rate)."""
+    angle, rate = y
+    return rate, -math.sin(angle)
+
+
+def at_one_second(tableau: Tableau, n: int) -> tuple[float, ...]:
+    y: tuple[float, ...] = (1.0, 0.5)
+    for _ in range(n):
+        y = step(pendulum, y, 1.0 / n, tableau)
+    return y
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rows_sum_to_nodes_and_weights_to_one(name: str) -> None:
+    tableau: Tableau = shelf("integrators").get(name)
+    assert [sum(row) for row in tableau.a] == pytest.approx(tableau.c)
+    assert sum(tableau.b) == pytest.approx(1.0)
+    assert len(tableau.a) == len(tableau.b) == len(tableau.c)
+    assert tableau.reference
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_measured_order_is_the_claimed_order(name: str) -> None:
+    tableau: Tableau = shelf("integrators").get(name)
+    exact = at_one_second(shelf("integrators").get("dopri5"), 4096)
+    coarse, fine = (math.dist(at_one_second(tableau, n), exact) for n in (16, 32))
+    assert math.log2(coarse / fine) == pytest.approx(tableau.order, abs=0.35)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("z", [complex(-0.5, 0.0), complex(-0.3, 0.8), complex(0.1, -1.0)])
+def test_linear_step_is_the_stability_function(name: str, z: complex) -> None:
+    """R(z) = 1 + z b (1 - z A)^-1 1 (Hairer and Wanner II, eq. IV.3.2), here as its finite sum for an explicit method."""
+    tableau: Tableau = shelf("integrators").get(name)
+
+    def linear(y: tuple[float, ...]) -> tuple[float, ...]:
+        x = z * complex(*y)
+        return x.real, x.imag
+
+    stages: list[complex] = []
+    for row in tableau.a:
+        stages.append(1.0 + z * sum(a * k for a, k in zip(row, stages, strict=False)))
+    expected = 1.0 + z * sum(b * k for b, k in zip(tableau.b, stages, strict=True))
+    assert complex(*step(linear, (1.0, 0.0), 1.0, tableau)) == pytest.approx(expected)
