@@ -29,13 +29,9 @@ def step(f: Callable[[Vector], Vector], y: Vector, h: float, tableau: Tableau) -
 
 
 def _along(y: Vector, h: float, weights: tuple[float, ...], slopes: list[Vector]) -> Vector:
-    """y + h * sum(weight * slope), leaving out the zeros that tableaux are full of."""
-    used = [(h * w, k) for w, k in zip(weights, slopes, strict=False) if w]
-    if not used:
-        return y
-    if len(used) == 1:
-        ((w, k),) = used
-        return tuple([v + w * s for v, s in zip(y, k, strict=True)])
-    scale = [w for w, _ in used]
-    columns = zip(*[k for _, k in used], strict=True)
-    return tuple([v + sum([w * s for w, s in zip(scale, column, strict=True)]) for v, column in zip(y, columns, strict=True)])
+    """y + h * sum(weight * slope). One pass per slope: nested sums take three times as long on a dozen states."""
+    for weight, slope in zip(weights, slopes, strict=False):
+        if weight:
+            hw = h * weight
+            y = tuple([v + hw * s for v, s in zip(y, slope, strict=True)])
+    return y
