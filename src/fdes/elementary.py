@@ -4,6 +4,6 @@ Today every plant flies on floats, so the door opens on `math`. A plant that mus
 (complex-step Jacobians), dimensioned numbers or lanes gets its forms here, and physics does not change a line.
 """
 
-from math import asin, atan2, cos, exp, sin, sqrt, tan
+from math import atan2, cos, exp, pow, sin, sqrt, tan
 
-__all__ = ["asin", "atan2", "cos", "exp", "sin", "sqrt", "tan"]
+__all__ = ["atan2", "cos", "exp", "pow", "sin", "sqrt", "tan"]

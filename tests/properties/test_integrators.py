@@ -43,7 +43,7 @@ def test_measured_order_is_the_claimed_order(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("z", [complex(-0.5, 0.0), complex(-0.3, 0.8), complex(0.1, -1.0)])
 def test_linear_step_is_the_stability_function(name: str, z: complex) -> None:
-    """R(z) = 1 + z b (1 - z A)^-1 1 (Hairer and Wanner II, eq. IV.3.2), here as its finite sum for an explicit method."""
+    """R(z) = 1 + z b (1 - z A)^-1 1, Hairer and Wanner II, eq. IV.3.2, stage by stage."""
     tableau: Tableau = shelf("integrators").get(name)
 
     def linear(y: tuple[float, ...]) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""The flight loop: every row follows from its own fields, edits act at a frame boundary, and a flight can be flown again."""
+"""The flight loop: rows follow from their own fields, edits act at a frame boundary, flights can be flown again."""
 
 import math
 from itertools import pairwise
@@ -81,7 +81,9 @@ def test_the_same_stick_flies_the_same_flight_bit_for_bit() -> None:
 
 def roll_rates(integrator: str, dt: float, duration: float = 6.0) -> list[float]:
     start = setup(integrator, "paper", dt)
-    unlimited = start.plant._replace(limits=start.plant.limits._replace(upper=start.plant.limits.upper._replace(aileron=9.0)))
+    unlimited = start.plant._replace(
+        limits=start.plant.limits._replace(upper=start.plant.limits.upper._replace(aileron=9.0))
+    )
     step = Excitation.parse(["step aileron 0.2618rad at 0s"])
     pilot = HandsOff(start.plant.trim_throttle)
     flight = fly(start.plant.start(), start._replace(plant=unlimited), pilot, SteadyAir(), Clock(dt, 1, duration), step)
@@ -89,7 +91,7 @@ def roll_rates(integrator: str, dt: float, duration: float = 6.0) -> list[float]
 
 
 def test_roll_response_of_the_paper() -> None:
-    """Mansor and Perumal, figures 8, 10, 11: Euler unstable at 0.1 s, overshooting at 0.04 s, Kutta-Merson good at 0.1 s."""
+    """Mansor and Perumal, figures 8, 10, 11: Euler fails at 0.1 s, overshoots at 0.04 s; Kutta-Merson is good at 0.1 s."""
     exact = roll_rates("exact", 0.02)
     assert max(exact) == pytest.approx(3.501, abs=0.001)
     assert max(roll_rates("euler", 0.04)) > 1.03 * max(exact)
@@ -99,11 +101,13 @@ def test_roll_response_of_the_paper() -> None:
 
 
 def test_an_unstable_integrator_departs_with_words() -> None:
-    with pytest.raises(Departed, match=r"departed at t = [\d.]+ s: \w+ reached .* integrator is unstable with this time step"):
+    with pytest.raises(
+        Departed, match=r"departed at t = [\d.]+ s: \w+ reached .* integrator is unstable with this time step"
+    ):
         roll_rates("euler", 0.5, 600.0)
 
 
 @pytest.mark.parametrize("dt", [0.0, -1.0, math.nan, math.inf])
 def test_a_bad_time_step_is_refused(dt: float) -> None:
-    with pytest.raises(SpecError, match="The time step is .* must be a positive number"):
+    with pytest.raises(SpecError, match=r"The time step is .* must be a positive number"):
         Clock(dt)

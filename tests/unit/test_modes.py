@@ -38,7 +38,9 @@ def test_every_eigenvalue_has_one_name(navion: FlightCondition) -> None:
 
 def test_unstable_in_pitch_the_short_period_is_split_and_a_third_oscillation_appears(navion: FlightCondition) -> None:
     assert names(edited(navion, Cm_alpha=0.3), "longitudinal") != ["short_period", "phugoid"]
-    seen = {name for value in np.linspace(-0.7, 0.4, 221) for name in names(edited(navion, Cm_alpha=value), "longitudinal")}
+    seen = {
+        name for value in np.linspace(-0.7, 0.4, 221) for name in names(edited(navion, Cm_alpha=value), "longitudinal")
+    }
     assert {"short_period", "phugoid", "short_period_fast", "short_period_slow", "third_oscillatory"} <= seen
 
 

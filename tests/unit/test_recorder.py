@@ -123,12 +123,13 @@ def test_never_overwrites(recorded: tuple[Path, list[Frame]]) -> None:
 def test_says_why_a_file_cannot_be_read(recorded: tuple[Path, list[Frame]], tmp_path: Path) -> None:
     path, _ = recorded
     (tmp_path / "x.fdes").write_bytes(b"PK\x03\x04 something else")
-    with pytest.raises(RecordingError, match="x.fdes is not an FDES recording"):
+    with pytest.raises(RecordingError, match=r"x\.fdes is not an FDES recording"):
         open_recording(tmp_path / "x.fdes")
     with pytest.raises(RecordingError, match="cannot be read: No such file"):
         open_recording(tmp_path / "none.fdes")
     whole = path.read_bytes()
     header = json.loads(whole[whole.index(b"{") : whole.index(b"ROWS")])
-    (tmp_path / "new.fdes").write_bytes(MAGIC + chunk(b"HEAD", json.dumps(header | {"format": 99, "fdes": "9.0"}).encode()))
-    with pytest.raises(RecordingError, match="has format 99 and was written by FDES 9.0; this FDES reads format 1"):
+    later = json.dumps(header | {"format": 99, "fdes": "9.0"}).encode()
+    (tmp_path / "new.fdes").write_bytes(MAGIC + chunk(b"HEAD", later))
+    with pytest.raises(RecordingError, match=r"has format 99 and was written by FDES 9\.0; this FDES reads format 1"):
         open_recording(tmp_path / "new.fdes")

@@ -1,6 +1,5 @@
 """The linear plant: signs, forms, and that each of its solvers solves its equations."""
 
-
 import numpy as np
 import pytest
 
@@ -97,7 +96,9 @@ def test_exact_hold_is_the_limit_of_ever_smaller_steps(form: str) -> None:
 
 def test_exact_hold_matches_the_continuous_matrix(skyhawk: SmallPerturbation) -> None:
     hold = exact_hold(skyhawk.matrices, skyhawk.reference, 1e-6)
-    np.testing.assert_allclose((np.array(hold.Phi_lon) - np.eye(4)) / 1e-6, skyhawk.matrices.A_lon, rtol=1e-3, atol=1e-3)
+    np.testing.assert_allclose(
+        (np.array(hold.Phi_lon) - np.eye(4)) / 1e-6, skyhawk.matrices.A_lon, rtol=1e-3, atol=1e-3
+    )
 
 
 def test_mirror_symmetry(skyhawk: SmallPerturbation) -> None:
@@ -120,4 +121,3 @@ def test_steady_roll_rate_is_that_of_one_degree_of_freedom() -> None:
     k, ref = condition.coefficients, condition.reference
     expected = -k.Cl_da / k.Cl_p * 2.0 * ref.V / ref.b * 0.2618
     assert expected == pytest.approx(2.6163, rel=1e-3)
-

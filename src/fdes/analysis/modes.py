@@ -87,7 +87,8 @@ def _roots(model: LinearModel) -> list[_Root]:
     values, right = np.linalg.eig(model.A)
     try:
         left = np.linalg.inv(right)
-    except np.linalg.LinAlgError:  # a repeated root without enough eigenvectors: who takes part is taken from the right ones
+    except np.linalg.LinAlgError:
+        # A repeated root has too few eigenvectors: who takes part is then read from the right ones alone.
         left = right.conj().T
     weights = np.abs(right * left.T)
     weights /= weights.sum(axis=0)
@@ -154,16 +155,13 @@ def _mode(name: str, axis: Axis, root: _Root) -> Mode:
     value = root.value
     sigma, omega = value.real, value.imag
     omega_n = abs(value)
-    if omega > 0.0:
-        zeta = -sigma / omega_n
-    else:
-        zeta = 1.0 if sigma < 0.0 else -1.0
+    of_a_real_root = 1.0 if sigma < 0.0 else -1.0
     return Mode(
         name=name,
         axis=axis,
         eigenvalue=value,
         omega_n=omega_n,
-        zeta=zeta,
+        zeta=-sigma / omega_n if omega > 0.0 else of_a_real_root,
         time_constant=-1.0 / sigma if sigma < 0.0 else None,
         time_to_half=-math.log(2.0) / sigma if sigma < 0.0 else None,
         time_to_double=math.log(2.0) / sigma if sigma > 0.0 else None,

@@ -1,4 +1,4 @@
-"""Test inputs on the surfaces, written as one would say them: "step aileron 15deg at 0s", "doublet elevator 5deg at 1s for 2s".
+"""Test inputs on the surfaces, written as one would say them: "step aileron 15deg at 0s".
 
 >>> excitation = Excitation.parse(["doublet elevator 5deg at 1s for 2s"])
 >>> [round(excitation(t).elevator, 4) for t in (0.0, 1.0, 2.0, 3.0)]
@@ -26,7 +26,7 @@ class Excitation:
 
     @classmethod
     def parse(cls, texts: Iterable[str]) -> "Excitation":
-        """Read input descriptions; one text may hold several, separated by semicolons. Raises SpecError or NoSuchPart."""
+        """Read descriptions; one text may hold several, separated by semicolons. Raises SpecError or NoSuchPart."""
         return cls(tuple(_parse_one(one) for text in texts for one in text.split(";") if one.strip()))
 
     def __call__(self, t: float) -> Surfaces:

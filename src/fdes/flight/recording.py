@@ -62,7 +62,9 @@ class Listed:
     bytes: int
 
 
-def frames_to_recording(header: dict[str, Any], columns: tuple[Channel, ...], rows: Iterable[tuple[float, ...]]) -> Recording:
+def frames_to_recording(
+    header: dict[str, Any], columns: tuple[Channel, ...], rows: Iterable[tuple[float, ...]]
+) -> Recording:
     """A flight that was never on disk, as a recording."""
     return Recording(header, columns, np.array(list(rows), dtype=np.float64).reshape(-1, len(columns)), (), True)
 

@@ -1,6 +1,6 @@
 """The flight itself: one loop, one frame at a time, whoever pilots, whatever flies.
 
-A flight on the command line, in the cockpit and in a test differ only in the clock, the pilot, and who takes the frames.
+Command line, cockpit and tests differ only in the clock, the pilot, and who takes the frames.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -174,6 +174,6 @@ def _must_be_finite(x: Any, t: float) -> None:
         return
     name, value = next((n, v) for n, v in x._asdict().items() if not abs(v) < 1e9)
     raise Departed(
-        f"The flight departed at t = {t:.3f} s: {name} reached {value:.3g}. Either the aircraft is unstable here, or the "
-        "integrator is unstable with this time step: try a smaller one, or the exact hold."
+        f"The flight departed at t = {t:.3f} s: {name} reached {value:.3g}. Either the aircraft is unstable here, or "
+        "the integrator is unstable with this time step: try a smaller one, or the exact hold."
     )

@@ -4,7 +4,7 @@ Reference: R. P. G. Collinson, Introduction to Avionics Systems, 3rd ed., ch. 7;
 Rayleigh's (NACA Report 1135, eq. 100).
 """
 
-from fdes.elementary import sqrt
+from fdes.elementary import pow, sqrt
 from fdes.physics.atmosphere import A0, P0, RHO0
 from fdes.units import KilogramPerMeter3, MeterPerSecond, Number, Pascal
 
@@ -12,19 +12,19 @@ from fdes.units import KilogramPerMeter3, MeterPerSecond, Number, Pascal
 def impact_pressure(mach: Number, p: Pascal) -> Pascal:
     """Pitot minus static pressure of air with a specific-heat ratio of 1.4, behind a normal shock above Mach 1."""
     if mach <= 1.0:
-        return p * ((1.0 + 0.2 * mach * mach) ** 3.5 - 1.0)
-    return p * (166.921580 * mach**7 / (7.0 * mach * mach - 1.0) ** 2.5 - 1.0)  # NACA 1135 eq. 100
+        return p * (pow(1.0 + 0.2 * mach * mach, 3.5) - 1.0)
+    return p * (166.921580 * pow(mach, 7.0) / pow(7.0 * mach * mach - 1.0, 2.5) - 1.0)  # NACA 1135 eq. 100
 
 
 def calibrated_airspeed(q_c: Pascal) -> MeterPerSecond:
     """The speed that would give impact pressure `q_c` at sea level on a standard day."""
-    cas = A0 * sqrt(5.0 * ((q_c / P0 + 1.0) ** (2.0 / 7.0) - 1.0))
+    cas = A0 * sqrt(5.0 * (pow(q_c / P0 + 1.0, 2.0 / 7.0) - 1.0))
     if cas <= A0:
         return cas
-    # Above the speed of sound Rayleigh's equation has no inverse in closed form: this fixed point contracts (|slope| < 0.2).
+    # Above the speed of sound Rayleigh's equation has no inverse in closed form, and this fixed point contracts.
     for _ in range(60):
         m = cas / A0
-        nearer = A0 * 0.881285 * sqrt((q_c / P0 + 1.0) * (1.0 - 1.0 / (7.0 * m * m)) ** 2.5)
+        nearer = A0 * 0.881285 * sqrt((q_c / P0 + 1.0) * pow(1.0 - 1.0 / (7.0 * m * m), 2.5))
         if abs(nearer - cas) < 1e-9 * A0:
             return nearer
         cas = nearer

@@ -5,7 +5,7 @@ Reference: U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, tables 3 an
 
 from typing import NamedTuple
 
-from fdes.elementary import exp, sqrt
+from fdes.elementary import exp, pow, sqrt
 from fdes.errors import SpecError
 from fdes.units import Kelvin, KilogramPerMeter3, Meter, MeterPerSecond, Pascal
 
@@ -51,7 +51,7 @@ def standard_atmosphere(h: Meter) -> Atmosphere:
         if lapse == 0.0:
             p *= exp(-G_STANDARD * thickness / (R_AIR * T))  # eq. 33b
         else:
-            p *= (T / (T + lapse * thickness)) ** (G_STANDARD / (R_AIR * lapse))  # eq. 33a
+            p *= pow(T / (T + lapse * thickness), G_STANDARD / (R_AIR * lapse))  # eq. 33a
             T += lapse * thickness
         if top >= H:
             break

@@ -83,7 +83,7 @@ class Coefficients(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """The flight condition about which the derivatives hold. Inertias in body axes; alpha is the trim angle of attack."""
+    """The condition about which the derivatives hold. Inertias in body axes; alpha is the trim angle of attack."""
 
     V: MeterPerSecond
     rho: KilogramPerMeter3
@@ -111,7 +111,7 @@ class Limits(NamedTuple):
 
 
 class Dimensional(NamedTuple):
-    """Dimensional derivatives: forces divided by the mass, moments by the moment of inertia. Nelson, tables 3.5 and 5.1."""
+    """Dimensional derivatives: forces by the mass, moments by the moment of inertia. Nelson, tables 3.5 and 5.1."""
 
     X_u: Annotated[float, "1/s"]
     X_w: Annotated[float, "1/s"]
@@ -334,7 +334,9 @@ class SmallPerturbation(NamedTuple):
         """All outputs of this instant, the surfaces being `held`."""
         return observe(self, x, limited(held, self.limits), air)
 
-    def advance(self, x: PerturbationState, command: Surfaces, air: Air, dt: float, substeps: int = 1) -> PerturbationState:
+    def advance(
+        self, x: PerturbationState, command: Surfaces, air: Air, dt: float, substeps: int = 1
+    ) -> PerturbationState:
         """The state one frame later: `substeps` steps of the integrator, surfaces and air held."""
         return advance(self, x, limited(command, self.limits), air, dt, substeps)
 
@@ -440,7 +442,9 @@ def advance(
     return PerturbationState(*y)
 
 
-def _held(plant: SmallPerturbation, hold: ExactHold, x: PerturbationState, held: Surfaces, air: Air) -> PerturbationState:
+def _held(
+    plant: SmallPerturbation, hold: ExactHold, x: PerturbationState, held: Surfaces, air: Air
+) -> PerturbationState:
     """One exact step of the linear states; the place follows by the trapezoidal rule, for it is not linear in them."""
     lon = (x.u, x.w, x.q, x.theta)
     lon_in = (held.elevator, held.throttle - plant.trim_throttle, air.gust_u, air.gust_w)

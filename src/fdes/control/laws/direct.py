@@ -20,4 +20,5 @@ class Direct:
     def step(self, y: Outputs, stick: Stick, memory: None, dt: float) -> tuple[Surfaces, None]:
         """Surfaces for this stick."""
         full = self.full_stick
-        return Surfaces(full.elevator * stick.pitch, full.aileron * stick.roll, full.rudder * stick.yaw, stick.throttle), None
+        elevator, aileron, rudder = full.elevator * stick.pitch, full.aileron * stick.roll, full.rudder * stick.yaw
+        return Surfaces(elevator, aileron, rudder, stick.throttle), None
