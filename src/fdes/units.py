@@ -82,7 +82,17 @@ _TO_SI: dict[str, tuple[str, float]] = {
     "W": ("W", 1.0),
     "hp": ("W", 550.0 * POUND_FORCE * FOOT),
 }
-_ALIASES = {"°": "deg", "degrees": "deg", "kn": "kt", "knots": "kt", "fps": "ft/s", "kts": "kt", "feet": "ft", "fpm": "ft/min", "sec": "s"}
+_ALIASES = {
+    "°": "deg",
+    "degrees": "deg",
+    "kn": "kt",
+    "knots": "kt",
+    "fps": "ft/s",
+    "kts": "kt",
+    "feet": "ft",
+    "fpm": "ft/min",
+    "sec": "s",
+}
 
 # What a table shows instead of an SI unit, and the factor from SI: one entry per system of units.
 UNIT_SYSTEMS: dict[str, dict[str, tuple[str, float]]] = {
@@ -123,7 +133,9 @@ def parse(text: str, si: str) -> float:
     fitting = [u for u, (s, _) in _TO_SI.items() if s == si]
     label, multiplier = _entry(unit, fitting)
     if label != si:
-        raise SpecError(f"{text!r} is in {unit}, which is not a unit of this quantity. Use one of: {', '.join(fitting)}.")
+        raise SpecError(
+            f"{text!r} is in {unit}, which is not a unit of this quantity. Use one of: {', '.join(fitting)}."
+        )
     value = number * multiplier
     if not math.isfinite(value):
         raise SpecError(f"{text!r} is not a finite number.")

@@ -11,4 +11,6 @@ from typing import Any
 def sources() -> dict[str, dict[str, Any]]:
     """All sources by file name: the content of each TOML file."""
     found = (f for f in files(__name__).iterdir() if f.name.endswith(".toml"))
-    return {f.name.removesuffix(".toml"): tomllib.loads(f.read_text("utf-8")) for f in sorted(found, key=lambda f: f.name)}
+    return {
+        f.name.removesuffix(".toml"): tomllib.loads(f.read_text("utf-8")) for f in sorted(found, key=lambda f: f.name)
+    }
