@@ -10,7 +10,7 @@ from fdes.aircraft import load
 from fdes.analysis import linear_model, modes
 from fdes.control import LinearModel
 from fdes.physics.atmosphere import standard_atmosphere
-from fdes.physics.small_perturbation import Dimensional, Reference, matrices
+from fdes.physics.derivatives import Dimensional, Reference, matrices
 from fdes.sources import sources
 from fdes.units import FOOT, to_si
 

@@ -6,8 +6,9 @@ import pytest
 from fdes.aircraft import load
 from fdes.control import exact_hold
 from fdes.flight import plant_of
+from fdes.physics.derivatives import FORMS, stability_axis_inertia
 from fdes.physics.signals import Air, Surfaces
-from fdes.physics.small_perturbation import FORMS, PerturbationState, SmallPerturbation, stability_axis_inertia
+from fdes.physics.small_perturbation import PerturbationState, SmallPerturbation
 from fdes.units import DEG
 
 CALM = Air()

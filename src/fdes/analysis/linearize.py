@@ -4,8 +4,9 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition
 from fdes.control import LinearModel
+from fdes.physics.derivatives import Form, dimensional, matrices
 from fdes.physics.signals import Surfaces, channels
-from fdes.physics.small_perturbation import Form, PerturbationState, dimensional, matrices
+from fdes.physics.small_perturbation import PerturbationState
 
 STATES = ("u", "w", "q", "theta", "beta", "p", "r", "phi")
 INPUTS = ("elevator", "throttle", "aileron", "rudder")

@@ -17,7 +17,7 @@ import numpy as np
 from fdes.aircraft import FlightCondition
 from fdes.analysis.linearize import linear_model
 from fdes.control import LinearModel
-from fdes.physics.small_perturbation import Form
+from fdes.physics.derivatives import Form
 
 Axis = Literal["longitudinal", "lateral"]
 

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fdes.physics.small_perturbation import ExactHold, Matrices, Matrix, Reference
+from fdes.physics.derivatives import Matrices, Matrix, Reference
+from fdes.physics.small_perturbation import ExactHold
 
 Array = NDArray[np.float64]
 

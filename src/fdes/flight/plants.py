@@ -5,7 +5,8 @@ from typing import get_args
 from fdes.aircraft import FlightCondition
 from fdes.control import exact_hold
 from fdes.errors import NoSuchPart
-from fdes.physics.small_perturbation import Form, SmallPerturbation, dimensional, matrices
+from fdes.physics.derivatives import Form, dimensional, matrices
+from fdes.physics.small_perturbation import SmallPerturbation
 from fdes.shelf import shelf
 
 EXACT = "exact"
