@@ -1,0 +1,26 @@
+"""A 3-2-1-1: four alternating pulses whose lengths are as 3, 2, 1, 1, the classical input for identification.
+
+Reference: J. A. Mulder et al., AGARD-AG-300 vol. 3, 1994; R. V. Jategaonkar, Flight Vehicle System Identification, 2006,
+section 2.3.
+"""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+__all__ = ["ThreeTwoOneOne"]
+
+
+@dataclass(frozen=True)
+class ThreeTwoOneOne:
+    """`amplitude` in the unit of its channel, from the time `at` [s]; all seven units together are `lasting` [s] long."""
+
+    amplitude: float
+    at: Annotated[float, "s"] = 0.0
+    lasting: Annotated[float, "s"] = 7.0
+
+    def __call__(self, t: float) -> float:
+        """The value at `t` [s]."""
+        units = 7.0 * (t - self.at) / self.lasting
+        if not 0.0 <= units < 7.0:
+            return 0.0
+        return self.amplitude if units < 3.0 or 5.0 <= units < 6.0 else -self.amplitude

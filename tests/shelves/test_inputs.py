@@ -1,0 +1,74 @@
+"""Every input shape: zero before it starts, never larger than its amplitude, and spoken to in words."""
+
+from dataclasses import fields
+from typing import Any
+
+import pytest
+
+from fdes.errors import NoSuchPart, SpecError
+from fdes.flight import Excitation
+from fdes.shelf import shelf
+
+NAMES = shelf("inputs").names()
+TIMES = [0.01 * k for k in range(8000)]
+
+
+@pytest.fixture(params=NAMES)
+def shape(request: pytest.FixtureRequest) -> Any:
+    return shelf("inputs").get(request.param)
+
+
+def test_zero_before_it_starts_and_bounded_by_its_amplitude(shape: Any) -> None:
+    put = shape(amplitude=0.1, at=2.0)
+    assert all(put(t) == 0.0 for t in TIMES if t < 2.0)
+    values = [put(t) for t in TIMES]
+    assert 0.09 < max(abs(v) for v in values) <= 0.1
+
+
+def test_an_input_that_lasts_ends_at_zero_but_for_step_and_ramp(shape: Any) -> None:
+    if "lasting" not in [f.name for f in fields(shape)] or shape.__name__ == "Ramp":
+        assert shape(0.1)(1e6) == 0.1
+        return
+    put = shape(0.1, at=1.0, lasting=4.0)
+    assert put(5.0) == 0.0
+    assert any(put(t) for t in TIMES)
+
+
+def test_equal_values_make_equal_inputs(shape: Any) -> None:
+    assert shape(0.1, at=1.0) == shape(0.1, at=1.0)
+    with pytest.raises(AttributeError):
+        shape(0.1).amplitude = 2.0
+
+
+def test_3211_has_the_lengths_it_is_named_for() -> None:
+    put = shelf("inputs").get("three_two_one_one")(1.0, at=0.0, lasting=7.0)
+    assert [put(0.5 + k) for k in range(8)] == [1.0, 1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 0.0]
+
+
+def test_doublet_has_no_mean() -> None:
+    put = shelf("inputs").get("doublet")(1.0, at=1.0, lasting=2.0)
+    assert [put(t) for t in (0.99, 1.0, 1.99, 2.0, 2.99, 3.0)] == [0.0, 1.0, 1.0, -1.0, -1.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "words"),
+    [
+        ("stp aileron 1deg", NoSuchPart, "There is no input named 'stp'. Did you mean 'step'?"),
+        ("step ailerons 1deg", NoSuchPart, "There is no input channel named 'ailerons'. Did you mean 'aileron'?"),
+        ("step aileron", SpecError, "The input 'step aileron' is incomplete. Write it like 'step aileron 15deg at 0s'."),
+        ("step aileron 15kt", SpecError, "'15kt' is in kt, which is not a unit of this quantity. Use one of: rad, deg"),
+        ("doublet elevator 5deg for -1s", SpecError, "it must last longer than 0 s"),
+        ("step elevator 5deg at", SpecError, "does not say its value after 'at'"),
+        ("step elevator 5deg for 2s", SpecError, "'5deg for 2s' is not a number with a unit"),
+    ],
+)
+def test_says_what_is_wrong_with_an_input(text: str, error: type[Exception], words: str) -> None:
+    with pytest.raises(error) as found:
+        Excitation.parse([text])
+    assert words in str(found.value)
+
+
+def test_inputs_add_up() -> None:
+    both = Excitation.parse(["step elevator 1deg at 1s; step elevator 2 deg at 2 s", "pulse rudder 1deg for 0.5s"])
+    assert both(0.2).rudder == pytest.approx(0.0174533, rel=1e-5)
+    assert both(2.5).elevator == pytest.approx(3 * 0.0174533, rel=1e-5)
