@@ -10,7 +10,7 @@ FdesError
 The command line prints the text of an FdesError and exits with status 2.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 
@@ -35,11 +35,12 @@ class Departed(FdesError):
 
 
 class NoSuchPart(FdesError):
-    """A name that a shelf does not hold."""
+    """A name that a shelf does not hold. `aliases`: other spellings of the known names, for finding the nearest."""
 
-    def __init__(self, shelf: str, name: str, known: Iterable[str]) -> None:
-        known = sorted(known)
-        self.shelf, self.name, self.nearest = shelf, name, nearest(name, known)
+    def __init__(self, shelf: str, name: str, known: Iterable[str], aliases: Mapping[str, str] | None = None) -> None:
+        known, aliases = sorted(known), aliases or {}
+        near = nearest(name, [*known, *aliases])
+        self.shelf, self.name, self.nearest = shelf, name, aliases.get(near, near) if near else None
         hint = f" Did you mean {self.nearest!r}?" if self.nearest else ""
         super().__init__(f"There is no {shelf} named {name!r}.{hint} Known: {', '.join(known)}.")
 

@@ -120,6 +120,11 @@ def si_unit(unit: str) -> str:
     return _entry(unit)[0]
 
 
+def units_of(si: str) -> list[str]:
+    """The labels of all units that measure the same as the SI unit: ``units_of("m^2") == ["m^2", "ft^2"]``."""
+    return [unit for unit, (label, _) in _TO_SI.items() if label == si]
+
+
 def parse(text: str, si: str) -> float:
     """Read a number with its unit, such as ``"170 kt"``, as SI.
 
@@ -130,7 +135,7 @@ def parse(text: str, si: str) -> float:
     if match is None:
         raise SpecError(f"{text!r} is not a number with a unit. Write it like '15 deg' or '170 kt'.")
     number, unit = float(match[1]), match[2] or si
-    fitting = [u for u, (s, _) in _TO_SI.items() if s == si]
+    fitting = units_of(si)
     label, multiplier = _entry(unit, fitting)
     if label != si:
         raise SpecError(

@@ -1,0 +1,10 @@
+"""Aircraft as data: one file each, in the units of its source, with what was corrected, why, and what is only assumed.
+
+`schema` is what a file may say, `load` finds and reads one, `flight_condition` is what comes out: numbers in SI, ready
+to fly. The aircraft themselves are in `hangar`: lay one beside the book.
+"""
+
+from fdes.aircraft.flight_condition import FlightCondition, Provenance
+from fdes.aircraft.load import Aircraft, Condition, catalogue, load, parse
+
+__all__ = ["Aircraft", "Condition", "FlightCondition", "Provenance", "catalogue", "load", "parse"]

@@ -1,0 +1,197 @@
+"""An aircraft in one flight condition: the numbers a plant is made of, in SI, and where each is from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from fdes.aircraft.schema import AircraftFile, Assumed, Condition, Confidence, Number, Part, Variant
+from fdes.errors import AircraftFileError
+from fdes.physics.atmosphere import standard_atmosphere
+from fdes.physics.derivatives import Coefficients, Reference
+from fdes.physics.signals import Surfaces
+from fdes.physics.small_perturbation import Limits
+from fdes.units import G0, si_unit
+
+AILERON = ("Cy_da", "Cl_da", "Cn_da")
+INERTIA = ("Ix", "Iy", "Iz", "Ixz")
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where one number is from.
+
+    value: what is used, in `si_unit`, with the signs of docs/symbols.md.
+    printed, corrected: as the file has them, in `unit`; `corrected` is None where the print stands.
+    confidence: that the source prints just this; None where the file does not say.
+    sources: keys of `Aircraft.sources`: works in which the same number was found.
+    reason, unverified: why it is corrected, and whether that is only presumed.
+    """
+
+    value: float
+    si_unit: str
+    printed: float
+    corrected: float | None
+    unit: str
+    confidence: Confidence | None
+    sources: tuple[str, ...]
+    reason: str | None
+    unverified: bool
+    note: str | None
+
+
+@dataclass(frozen=True)
+class FlightCondition:
+    """An aircraft in a flight condition, ready to become a plant. SI and radians.
+
+    full_stick: surfaces, from trim, at full aft stick, full right stick, full right pedal and full throttle.
+    trim_throttle: the share of `reference.T_max` that equals the drag.
+    cg: fraction of the mean chord; None where the file does not say.
+    notes: sentences that whoever uses the numbers should know.
+    assumed: what no source gives: ``{"value", "unit", "reason"}`` by name, in the unit it was chosen in.
+    provenance: where each number of the file is from, by its name there.
+    document: the whole content of the file.
+    """
+
+    aircraft_id: str
+    aircraft_name: str
+    condition: str
+    variant: Variant
+    coefficients: Coefficients
+    reference: Reference
+    limits: Limits
+    full_stick: Surfaces
+    trim_throttle: float
+    cg: float | None
+    notes: tuple[str, ...]
+    assumed: Mapping[str, Mapping[str, Any]]
+    provenance: Mapping[str, Provenance]
+    document: Mapping[str, Any]
+
+
+def flight_condition(
+    file: AircraftFile, condition: Condition, variant: Variant, document: Mapping[str, Any]
+) -> FlightCondition:
+    """Make one condition of a file ready. Raises AircraftFileError where its numbers do not go together."""
+    numbers = _numbers(file, condition, variant)
+    reverse = file.aileron_sense == "positive rolls left"
+    sign = dict.fromkeys(AILERON, -1.0) if reverse else {}
+    provenance = {name: _provenance(number, variant, sign.get(name, 1.0)) for name, number in numbers.items()}
+    value = {name: p.value for name, p in provenance.items()}
+    assumed = {name: a for name in Assumed.model_fields if (a := file.assumption(name, condition))}
+    si = {name: a.si() for name, a in assumed.items()}
+
+    reference = _reference(value, condition.mach, si["max_thrust"])
+    limits = Limits(
+        lower=Surfaces(-si["elevator_up_limit"], -si["aileron_limit"], -si["rudder_limit"], 0.0),
+        upper=Surfaces(si["elevator_down_limit"], si["aileron_limit"], si["rudder_limit"], 1.0),
+    )
+    full_stick = Surfaces(
+        -si["full_stick_elevator"], si["full_stick_aileron"], -si["full_pedal_rudder"], throttle=1.0
+    )
+    drag = value["CD"] * 0.5 * reference.rho * reference.V**2 * reference.S
+    ready = FlightCondition(
+        aircraft_id=file.id,
+        aircraft_name=file.name,
+        condition=condition.id,
+        variant=variant,
+        coefficients=Coefficients(**{name: value.get(name, 0.0) for name in Coefficients._fields}),
+        reference=reference,
+        limits=limits,
+        full_stick=full_stick,
+        trim_throttle=drag / reference.T_max,
+        cg=value.get("cg"),
+        notes=(*file.notes, *condition.notes, *_notes(condition, variant, provenance, reverse=reverse)),
+        assumed={name: a.model_dump() for name, a in assumed.items()},
+        provenance=provenance,
+        document=document,
+    )
+    _check(ready, drag)
+    return ready
+
+
+def _numbers(file: AircraftFile, condition: Condition, variant: Variant) -> dict[str, Number]:
+    """All numbers that are given for the condition, by name; the mass is that which belongs to it."""
+    found = _given(file.geometry) | _given(file.mass) | _given(condition) | _given(condition.derivatives)
+    consistent = condition.consistent_mass
+    if consistent and variant == "corrected":
+        more = consistent.model_dump(include={"reason", "confidence", "unverified", "sources"})
+        for name, number in _given(consistent).items():
+            found[name] = found[name].model_copy(update={"corrected": number.printed, "note": number.note, **more})
+    return found
+
+
+def _given(part: Part) -> dict[str, Number]:
+    return {name: number for name, number in part if isinstance(number, Number)}
+
+
+def _provenance(number: Number, variant: Variant, sign: float) -> Provenance:
+    unit = number.unit or "1"
+    said = number.model_dump(exclude={"unit"})
+    return Provenance(value=number.si(variant) * sign, si_unit=si_unit(unit), unit=unit, **said)
+
+
+def _reference(value: Mapping[str, float], mach: float, T_max: float) -> Reference:
+    h = value["altitude"]
+    air = standard_atmosphere(h)
+    return Reference(
+        V=value.get("speed", mach * air.a),
+        rho=value.get("density", air.rho),
+        mach=mach,
+        g=value.get("gravity", G0),
+        h=h,
+        alpha=value.get("trim_alpha", 0.0),
+        gamma=0.0,
+        S=value["S"],
+        b=value["b"],
+        c=value["c"],
+        m=value["W"],
+        **{name: value[name] for name in INERTIA},
+        T_max=T_max,
+    )
+
+
+def _notes(
+    condition: Condition, variant: Variant, provenance: Mapping[str, Provenance], *, reverse: bool
+) -> list[str]:
+    """What follows from how the file is filled in."""
+    notes = []
+    absent = [name for name in Coefficients._fields if name not in provenance]
+    presumed = [name for name, p in provenance.items() if p.corrected is not None and p.unverified]
+    if condition.consistent_mass:
+        used = "Used is the mass" if variant == "corrected" else "The printed mass is used, not that"
+        notes.append(f"{condition.consistent_mass.reason} {used} that belongs to the coefficients.")
+    if presumed and variant == "corrected":
+        notes.append(f"Presumed corrections, found in no source: {', '.join(presumed)}.")
+    if condition.trim_alpha is None:
+        notes.append("The trim angle of attack is not known: it is taken as zero, the inertias as in stability axes.")
+    if reverse:
+        notes.append("In the source, positive aileron rolls left: aileron derivatives are used with the opposite sign.")
+    if absent:
+        notes.append(f"Not tabulated, taken as zero: {', '.join(absent)}.")
+    return notes
+
+
+def _check(ready: FlightCondition, drag: float) -> None:
+    """What no single number shows."""
+    where = f"condition {ready.condition!r}, {ready.variant} values"
+    ref = ready.reference
+    if ref.Ix * ref.Iz <= ref.Ixz**2:
+        raise AircraftFileError(
+            f"{where}: Ixz = {ref.Ixz:,.0f} kg m^2 is too large beside Ix = {ref.Ix:,.0f} and Iz = {ref.Iz:,.0f} kg m^2. "
+            "No body has such inertias: Ixz squared must be less than Ix times Iz."
+        )
+    if ready.coefficients.Cl_da <= 0.0:
+        raise AircraftFileError(
+            f"{where}: positive aileron would roll left (Cl_da = {ready.coefficients.Cl_da:g} with the file's "
+            'aileron_sense). Where the source prints Cl_da < 0, set aileron_sense = "positive rolls left".'
+        )
+    if ready.trim_throttle > 1.0:
+        raise AircraftFileError(
+            f"{where}: level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
+            "Check CD, or assume more thrust."
+        )
+    for name, held, low, high in zip(
+        Surfaces._fields, ready.full_stick, ready.limits.lower, ready.limits.upper, strict=True
+    ):
+        if not low <= held <= high:
+            raise AircraftFileError(f"{where}: full stick moves the {name} beyond its limit. Assume less, or more travel.")
