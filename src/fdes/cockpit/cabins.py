@@ -1,0 +1,242 @@
+"""Who sits in which session: joining, leaving, commands, and what everybody in it is told. All in the event loop."""
+
+import asyncio
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from fdes import __version__
+from fdes.cockpit import wire
+from fdes.cockpit.craft import Craft
+from fdes.cockpit.fleet import Fleet, craft_of
+from fdes.cockpit.hub import RATE, Hub, percentiles
+from fdes.cockpit.replay import replay_of
+from fdes.cockpit.session import EVERY_MOVING, Session
+from fdes.cockpit.viewer import Viewer
+from fdes.errors import FdesError, RecordingError, SpecError
+from fdes.flight import open_recording
+from fdes.flight.recorder import SUFFIX
+
+MAX_SESSIONS = 64
+MAX_VIEWERS = 16  # per session
+GRACE = 10.0  # s that a session waits, standing still, for someone to come back
+LARGEST_REPLAY = 300e6  # bytes
+RECENT = 10 * RATE  # ticks over which lateness is judged
+
+_NAME = re.compile(r"[A-Za-z0-9_-]{1,40}")
+
+
+@dataclass
+class Cabin:
+    """A session with those who are in it. `told` is the craft that they have been told of."""
+
+    session: Session
+    told: Craft
+    viewers: set[Viewer] = field(default_factory=set)
+    pilot: Viewer | None = None
+    leaving: asyncio.TimerHandle | None = None
+
+
+class Cabins:
+    """All sessions of a server, recording in the folder `recordings`."""
+
+    def __init__(self, fleet: Fleet, recordings: Path, *, record: bool = True) -> None:
+        self.hub: Hub[Session] = Hub()
+        self.fleet, self.recordings, self.record = fleet, recordings, record
+        self.cabins: dict[str, Cabin] = {}
+        self._background: set[asyncio.Task[None]] = set()
+
+    def open(self) -> None:
+        """Begin to fly. To be called in the event loop that serves the viewers."""
+        self._loop = asyncio.get_running_loop()
+        self.hub.start(self._loop, self._show)
+
+    def dismiss(self) -> None:
+        """Send everybody away."""
+        for cabin in self.cabins.values():
+            for viewer in cabin.viewers:
+                viewer.dismiss()
+
+    async def close(self) -> None:
+        """Stop flying, and end every recording."""
+        await asyncio.to_thread(self.hub.stop)
+        for cabin in self.cabins.values():
+            await asyncio.to_thread(cabin.session.close)
+
+    def viewers(self) -> int:
+        """How many watch, in all sessions."""
+        return sum(len(cabin.viewers) for cabin in self.cabins.values())
+
+    def join(self, name: str) -> tuple[Cabin, Viewer]:
+        """Take a seat: the pilot's if it is free. Raises SpecError when there is no room, or no such name can be."""
+        if not _NAME.fullmatch(name):
+            raise SpecError("A session's name is 1 to 40 letters, digits, hyphens and underscores.")
+        cabin = self.cabins.get(name) or self._new_cabin(name)
+        if len(cabin.viewers) >= MAX_VIEWERS:
+            raise SpecError(
+                f"{MAX_VIEWERS} already watch the session {name}, which is the limit. Open another session."
+            )
+        viewer = Viewer("observer" if cabin.pilot else "pilot")
+        viewer.tell(**self._hello(cabin, viewer))
+        cabin.viewers.add(viewer)
+        cabin.pilot = cabin.pilot or viewer
+        if cabin.leaving is not None:
+            cabin.leaving.cancel()
+            cabin.leaving = None
+        cabin.session.watched = cabin.session.changed = True
+        return cabin, viewer
+
+    def leave(self, cabin: Cabin, viewer: Viewer) -> None:
+        """Leave the seat. A flight without a pilot goes on hands off; without anybody it waits, then ends."""
+        cabin.viewers.discard(viewer)
+        cabin.session.changed = True
+        if cabin.pilot is viewer:
+            cabin.pilot = None
+            cabin.session.let_go()
+        if not cabin.viewers:
+            cabin.session.watched = False
+            cabin.leaving = self._loop.call_later(GRACE, self._forget, cabin)
+
+    def stick(self, cabin: Cabin, viewer: Viewer, given: wire.Input) -> None:
+        """Take an input frame. Raises SpecError when it is not the pilot's."""
+        if viewer is not cabin.pilot:
+            raise SpecError("You are observing: the pilot of this session has the stick.")
+        if cabin.session.put(given):
+            self._later(cabin.session.start_recording)
+
+    async def obey(self, cabin: Cabin, viewer: Viewer, command: wire.Command) -> dict[str, Any]:
+        """Carry out a command; what the reply says besides "ok". Raises FdesError when it cannot be."""
+        if isinstance(command, wire.Ping):
+            return {}
+        if viewer is not cabin.pilot:
+            raise SpecError("You are observing: the pilot of this session gives the commands.")
+        session = cabin.session
+        match command:
+            case wire.Record(True):
+                return {"recording": await asyncio.to_thread(session.start_recording)}
+            case wire.Record(False):
+                return {"recording": session.stop_recording()}
+            case wire.ChooseAircraft(aircraft, condition, variant):
+                session.change(await asyncio.to_thread(self.fleet.craft, aircraft, condition, variant))
+            case wire.PlayBack(recording):
+                await asyncio.to_thread(self._play, session, recording)
+            case _:
+                _obey_at_once(session, command)
+        return {}
+
+    def recording(self, name: str) -> Path:
+        """The file of a recording. Only a name that the folder lists is one: nothing else is ever looked for."""
+        for path in self.recordings.glob(f"*{SUFFIX}"):
+            if path.stem == name:
+                return path
+        raise RecordingError(f"There is no recording named {name[:80]!r}.")
+
+    def status(self, cabin: Cabin) -> dict[str, Any]:
+        """The wire's STATUS."""
+        return {
+            "type": "status",
+            **cabin.session.status(),
+            "real_time_factor": self.hub.real_time_factor(),
+            "lateness_p99_ms": round(1e3 * percentiles(self.hub.lateness.last(RECENT)).p99, 3),
+            "slips": self.hub.slips,
+            "viewers": len(cabin.viewers),
+        }
+
+    def _new_cabin(self, name: str) -> Cabin:
+        if len(self.cabins) >= MAX_SESSIONS:
+            empty = next((c for c in self.cabins.values() if not c.viewers), None)
+            if empty is None:
+                raise SpecError(
+                    f"{MAX_SESSIONS} sessions are open, which is the limit. Watch another, or try again later."
+                )
+            self._forget(empty)
+        session = Session(name, self.fleet.first, self.recordings, record=self.record)
+        cabin = self.cabins[name] = Cabin(session, session.shown)
+        self.hub.sessions[name] = session
+        return cabin
+
+    def _forget(self, cabin: Cabin) -> None:
+        if cabin.leaving is not None:
+            cabin.leaving.cancel()
+        del self.cabins[cabin.session.name], self.hub.sessions[cabin.session.name]
+        self._later(cabin.session.close)
+
+    def _later(self, work: Any) -> None:
+        """Do `work`, which waits for a disk, in a thread. What goes wrong is the session's notice."""
+
+        async def quietly() -> None:
+            try:
+                await asyncio.to_thread(work)
+            except FdesError:
+                return
+
+        task = self._loop.create_task(quietly())
+        self._background.add(task)
+        task.add_done_callback(self._background.discard)
+
+    def _play(self, session: Session, name: str) -> None:
+        path = self.recording(name)
+        size = path.stat().st_size
+        if size > LARGEST_REPLAY:
+            limit = f"{LARGEST_REPLAY / 1e6:.0f} MB"
+            raise RecordingError(
+                f"{name} has {size / 1e6:.0f} MB; the cockpit replays up to {limit}. Download it instead."
+            )
+        replay = replay_of(name, open_recording(path))
+        session.play(replay, craft_of(name, replay.header))
+
+    def _show(self, shown: list[tuple[Session, bytes | None]]) -> None:
+        """Hand on what a tick of the hub has to show."""
+        for session, frame in shown:
+            cabin = self.cabins.get(session.name)
+            if cabin is None or cabin.session is not session:
+                continue
+            if frame is not None:
+                for viewer in cabin.viewers:
+                    viewer.offer(frame)
+            if session.changed:
+                session.changed = False
+                self._tell_how_it_stands(cabin)
+
+    def _tell_how_it_stands(self, cabin: Cabin) -> None:
+        messages = []
+        if cabin.session.shown is not cabin.told:
+            cabin.told = cabin.session.shown
+            messages = [{"type": "aircraft", **cabin.told.briefing}, {"type": "modes", "modes": cabin.told.modes}]
+        for message in (*messages, self.status(cabin)):
+            for viewer in cabin.viewers:
+                viewer.tell(**message)
+
+    def _hello(self, cabin: Cabin, viewer: Viewer) -> dict[str, Any]:
+        shown = cabin.session.shown
+        return {
+            "type": "hello",
+            "version": wire.VERSION,
+            "fdes": __version__,
+            "session": cabin.session.name,
+            "role": viewer.role,
+            "channels": [c._asdict() for c in wire.CHANNELS],
+            "rate": RATE,
+            "frame_rate": RATE // EVERY_MOVING,
+            "aircraft": shown.briefing,
+            "modes": {"type": "modes", "modes": shown.modes},
+            "status": self.status(cabin),
+        }
+
+
+def _obey_at_once(session: Session, command: wire.Command) -> None:
+    """Carry out a command that needs no time."""
+    match command:
+        case wire.Freeze(True):
+            session.freeze()
+        case wire.Freeze(False):
+            session.run()
+        case wire.Reset():
+            session.reset()
+        case wire.Step():
+            session.step()
+        case wire.Seek(t):
+            session.seek(t)
+        case wire.StopReplay():
+            session.stop_replay()

@@ -1,0 +1,97 @@
+"""An aircraft made ready for the cockpit: what flies, and what page and recording are told of it."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+from fdes.aircraft import FlightCondition
+from fdes.analysis import modes
+from fdes.cockpit.hub import RATE
+from fdes.control.laws.direct import Direct
+from fdes.flight import Clock, Setup, plant_of
+from fdes.units import FOOT
+
+if TYPE_CHECKING:
+    from fdes.physics.derivatives import Form
+
+DT = 1.0 / RATE
+START_HEIGHT = 1500.0 * FOOT  # lowest start: room to make a mistake, still with a view of the ground
+
+
+@dataclass(frozen=True)
+class Craft:
+    """An aircraft in a flight condition, its equations chosen, ready to fly.
+
+    `briefing` is the part of the wire's AIRCRAFT that it answers for, `modes` the mode dictionaries of the same plant.
+    """
+
+    condition: FlightCondition
+    form: str
+    integrator: str
+    setup: Setup
+    start: Any
+    clock: Clock
+    briefing: dict[str, Any]
+    modes: list[dict[str, Any]]
+
+    def header(self) -> dict[str, Any]:
+        """What a recording of it says first: enough to make the same craft again."""
+        c = self.condition
+        return {
+            "aircraft": c.aircraft_id,
+            "condition": c.condition,
+            "variant": c.variant,
+            "form": self.form,
+            "integrator": self.integrator,
+            "dt": self.clock.dt,
+            "substeps": self.clock.substeps,
+            "law": "direct",
+            "document": c.document,
+        }
+
+
+def make_craft(condition: FlightCondition, form: str = "full", integrator: str = "rk4") -> Craft:
+    """Make `condition` ready to fly. Raises NoSuchPart for a form or an integrator that does not exist."""
+    plant = plant_of(condition, form, integrator, DT)
+    start = plant.start(max(condition.reference.h, START_HEIGHT))
+    return Craft(
+        condition=condition,
+        form=form,
+        integrator=integrator,
+        setup=Setup(plant, Direct(condition.full_stick)),
+        start=start,
+        clock=Clock(DT),
+        briefing=_briefing(condition, form, integrator, start.h),
+        modes=[mode.as_dict() for mode in modes(condition, cast("Form", form))],  # plant_of has checked the form
+    )
+
+
+def _briefing(condition: FlightCondition, form: str, integrator: str, height: float) -> dict[str, Any]:
+    """What the page shows of an aircraft: numbers in SI and radians."""
+    ref = condition.reference
+    return {
+        "id": condition.aircraft_id,
+        "name": condition.aircraft_name,
+        "condition": condition.condition,
+        "condition_name": condition_name(ref.mach, ref.h),
+        "variant": condition.variant,
+        "form": form,
+        "integrator": integrator,
+        "dt": DT,
+        "mass_kg": ref.m,
+        "V": ref.V,
+        "mach": ref.mach,
+        "h": height,
+        "alpha_trim": ref.alpha,
+        "theta_trim": ref.alpha + ref.gamma,
+        "full_stick": condition.full_stick._asdict(),
+        "limits": {"lower": condition.limits.lower._asdict(), "upper": condition.limits.upper._asdict()},
+        "notes": list(condition.notes),
+        "assumed": [{"name": name, **said} for name, said in condition.assumed.items()],
+        "trim_throttle": condition.trim_throttle,
+    }
+
+
+def condition_name(mach: float, h: float) -> str:
+    """A flight condition as a pilot says it, `h` in m: ``M 0.40, sea level`` or ``M 0.80, 35,000 ft``."""
+    feet = h / FOOT
+    return f"M {mach:.2f}, {'sea level' if abs(feet) < 50.0 else f'{feet:,.0f} ft'}"

@@ -1,0 +1,70 @@
+"""The aircraft that a server offers: the hangar's, and the one that was named when it was started.
+
+The network names aircraft by id. An id that is not offered is reported, never looked for as a file.
+"""
+
+from functools import cached_property
+from typing import Any
+
+from fdes.aircraft import Aircraft, catalogue, parse
+from fdes.cockpit.craft import Craft, make_craft
+from fdes.errors import FdesError, NoSuchPart
+
+
+class Fleet:
+    """What can be flown, all in one form of the equations and with one integrator; a session starts with `first`."""
+
+    def __init__(self, own: Aircraft, condition: str | None, variant: str, form: str, integrator: str) -> None:
+        """Raises NoSuchPart for a condition, variant, form or integrator that does not exist."""
+        self._own, self._form, self._integrator = own, form, integrator
+        self.first = make_craft(own.at(condition, variant), form, integrator)
+
+    @cached_property
+    def aircraft(self) -> dict[str, Aircraft]:
+        """All aircraft by id, the hangar's in its own order."""
+        return {a.id: a for a in catalogue()} | {self._own.id: self._own}
+
+    def craft(self, aircraft: str, condition: str | None, variant: str) -> Craft:
+        """An aircraft made ready. Raises NoSuchPart for an id, condition or variant that is not offered."""
+        if aircraft not in self.aircraft:
+            raise NoSuchPart("aircraft", aircraft, self.aircraft)
+        return make_craft(self.aircraft[aircraft].at(condition, variant), self._form, self._integrator)
+
+    def pictures(self) -> list[dict[str, Any]]:
+        """What a picker shows of each aircraft, in SI."""
+        return [_picture(a) for a in self.aircraft.values()]
+
+
+def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
+    """The craft that the recording `name` was flown with, made from the recording's own copy of the aircraft file.
+
+    None when the header has no such copy, or one that this FDES cannot use.
+    """
+    try:
+        flown = parse(header["document"], name).at(header["condition"], header["variant"])
+        return make_craft(flown, header["form"], header["integrator"])
+    except (FdesError, KeyError, TypeError):
+        return None
+
+
+def _picture(aircraft: Aircraft) -> dict[str, Any]:
+    size = aircraft.at().reference
+    return {
+        "id": aircraft.id,
+        "name": aircraft.name,
+        "summary": aircraft.summary,
+        "conditions": [
+            {
+                "id": c.id,
+                "name": c.name,
+                "mach": c.mach,
+                "h": c.altitude,
+                "V": aircraft.at(c.id).reference.V,
+                "mass_kg": aircraft.at(c.id).reference.m,
+                "confidence": c.confidence,
+            }
+            for c in aircraft.conditions
+        ],
+        "source": aircraft.source,
+        "three_view": {"span": size.b, "chord": size.c, "area": size.S},
+    }

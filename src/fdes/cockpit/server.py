@@ -1,0 +1,233 @@
+"""The server: the page, what it asks for over HTTP, and the WebSocket of a session."""
+
+import asyncio
+import contextlib
+import logging
+import time
+from collections.abc import AsyncIterator, Iterator
+from dataclasses import replace
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response, StreamingResponse
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket
+
+from fdes import __version__
+from fdes.cockpit import wire
+from fdes.cockpit.cabins import Cabin, Cabins
+from fdes.cockpit.files import Folder
+from fdes.cockpit.guard import Guard
+from fdes.cockpit.hub import percentiles
+from fdes.cockpit.viewer import FLOOD, MAX_RATE, RateLimit, Viewer
+from fdes.errors import FdesError, RecordingError
+from fdes.flight import Recording, list_recordings, open_recording
+
+HERE = Path(__file__).parent
+BLOCK = 500  # rows of CSV made at a time
+TRY_LATER = 1013
+PIECE = 1 << 18  # bytes of a file sent at a time
+
+log = logging.getLogger(__name__)
+
+
+class Site:
+    """What the server answers, request by request."""
+
+    def __init__(self, cabins: Cabins) -> None:
+        self._cabins = cabins
+        self._page, self._instruments = Folder(HERE / "page"), Folder(HERE / "instruments")
+
+    async def index(self, request: Request) -> Response:
+        """The page."""
+        return self._page.respond(request, "index.html")
+
+    async def page(self, request: Request) -> Response:
+        """A file of the page."""
+        return self._page.respond(request, request.path_params["name"])
+
+    async def instrument(self, request: Request) -> Response:
+        """An instrument."""
+        return self._instruments.respond(request, request.path_params["name"])
+
+    async def version(self, request: Request) -> Response:
+        """The version of FDES and of the wire."""
+        return JSONResponse({"fdes": __version__, "wire": wire.VERSION})
+
+    async def aircraft(self, request: Request) -> Response:
+        """All aircraft that can be chosen."""
+        return JSONResponse(await asyncio.to_thread(self._cabins.fleet.pictures))
+
+    async def recordings(self, request: Request) -> Response:
+        """All recordings, newest first."""
+        listed = await asyncio.to_thread(list_recordings, self._cabins.recordings)
+        said = ("aircraft", "condition", "started")
+        return JSONResponse(
+            [
+                {"name": r.name, **{k: r.header.get(k) for k in said}, "seconds": round(r.seconds, 2), "bytes": r.bytes}
+                for r in listed
+            ]
+        )
+
+    async def csv(self, request: Request) -> Response:
+        """A recording as CSV."""
+        name = request.path_params["name"]
+        recording = await asyncio.to_thread(lambda: open_recording(found(self._cabins, name)))
+        return StreamingResponse(csv_blocks(recording), media_type="text/csv", headers=attached(f"{name}.csv"))
+
+    async def native(self, request: Request) -> Response:
+        """A recording as it is, up to here if it is being written."""
+        name = request.path_params["name"]
+        path = await asyncio.to_thread(found, self._cabins, name)
+        size = path.stat().st_size
+        headers = attached(path.name) | {"content-length": str(size)}
+        return StreamingResponse(file_pieces(path, size), media_type="application/octet-stream", headers=headers)
+
+    async def stats(self, request: Request) -> Response:
+        """How the server fares, over the last ``?seconds=``."""
+        try:
+            seconds = float(request.query_params.get("seconds", 10.0))
+        except ValueError:
+            raise HTTPException(400, "seconds must be a number.") from None
+        return JSONResponse(figures(self._cabins, seconds))
+
+    async def socket(self, websocket: WebSocket) -> None:
+        """Fly or watch a session."""
+        await websocket.accept()
+        try:
+            cabin, viewer = self._cabins.join(websocket.path_params["session"])
+        except FdesError as no:
+            await websocket.send_json({"type": "error", "error": str(no)})
+            await websocket.close(TRY_LATER, "no seat")
+            return
+        sending = asyncio.create_task(viewer.pump(websocket))
+        try:
+            await listen(websocket, self._cabins, cabin, viewer)
+        finally:
+            self._cabins.leave(cabin, viewer)
+            sending.cancel()
+            await asyncio.gather(sending, return_exceptions=True)
+
+
+def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
+    """The whole application. Flying begins and ends with its lifespan."""
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
+        cabins.open()
+        yield
+        await cabins.close()
+
+    site = Site(cabins)
+    return Starlette(
+        routes=[
+            Route("/", site.index),
+            Route("/page/{name:path}", site.page),
+            Route("/instruments/{name:path}", site.instrument),
+            Route("/api/version", site.version),
+            Route("/api/aircraft", site.aircraft),
+            Route("/api/recordings", site.recordings),
+            Route("/api/recordings/{name}.csv", site.csv),
+            Route("/api/recordings/{name}.fdes", site.native),
+            Route("/api/stats", site.stats),
+            WebSocketRoute("/ws/{session}", site.socket),
+        ],
+        middleware=[Middleware(Guard, loopback=loopback)],
+        exception_handlers={FdesError: told},
+        lifespan=lifespan,
+    )
+
+
+async def listen(websocket: WebSocket, cabins: Cabins, cabin: Cabin, viewer: Viewer) -> None:
+    """Take what a viewer sends until it goes. What cannot be used is answered, and costs nobody else anything."""
+    rate = RateLimit()
+    while (message := await websocket.receive())["type"] != "websocket.disconnect":
+        rest = rate.note()
+        if rate.count > MAX_RATE:
+            if rate.count == MAX_RATE + 1:
+                viewer.complain(f"More than {MAX_RATE} messages came within a second. Those beyond are dropped.")
+            if rate.count > FLOOD:
+                await asyncio.sleep(rest)
+            continue
+        try:
+            if (data := message.get("bytes")) is not None:
+                cabins.stick(cabin, viewer, wire.unpack_input(data))
+            else:
+                await reply(cabins, cabin, viewer, wire.read_text(message["text"]))
+        except FdesError as wrong:
+            viewer.complain(str(wrong))
+
+
+async def reply(cabins: Cabins, cabin: Cabin, viewer: Viewer, message: dict[str, Any]) -> None:
+    """Carry out a command and say how it went."""
+    number = message["id"]
+    try:
+        said = await cabins.obey(cabin, viewer, wire.command_of(message))
+    except FdesError as no:
+        viewer.tell(type="reply", id=number, ok=False, error=str(no))
+    except Exception as fault:
+        log.exception("a command failed")
+        error = f"The command failed by a fault in FDES ({type(fault).__name__}: {fault}). Please report it."
+        viewer.tell(type="reply", id=number, ok=False, error=error)
+    else:
+        viewer.tell(type="reply", id=number, ok=True, **said)
+
+
+def found(cabins: Cabins, name: str) -> Path:
+    """The file of a recording. Raises HTTPException 404 when there is none of that name."""
+    try:
+        return cabins.recording(name)
+    except RecordingError as none:
+        raise HTTPException(404, str(none)) from none
+
+
+def csv_blocks(recording: Recording) -> Iterator[str]:
+    """The recording as CSV, some rows at a time. Starlette runs it in a worker thread."""
+    for start in range(0, max(1, len(recording.data)), BLOCK):
+        text = StringIO()
+        replace(recording, data=recording.data[start : start + BLOCK]).to_csv(text)
+        head, _, rows = text.getvalue().partition("\n")
+        yield rows if start else f"{head}\n{rows}"
+
+
+def file_pieces(path: Path, size: int) -> Iterator[bytes]:
+    """The first `size` bytes of a file, which may be growing."""
+    with path.open("rb") as file:
+        while size > 0 and (piece := file.read(min(size, PIECE))):
+            size -= len(piece)
+            yield piece
+
+
+def attached(name: str) -> dict[str, str]:
+    """Headers of a download that is to be kept as `name`."""
+    return {"content-disposition": f'attachment; filename="{name}"', "cache-control": "no-store"}
+
+
+def figures(cabins: Cabins, seconds: float) -> dict[str, Any]:
+    """How the server fares: times in ms over the last `seconds`, CPU time in s since the start."""
+    hub = cabins.hub
+    ticks = int(min(max(seconds, 0.0), 60.0) * hub.rate)
+    rings = {"lateness_ms": hub.lateness, "busy_ms": hub.busy, "handover_ms": hub.handover}
+    measured = {name: percentiles(ring.last(ticks)) for name, ring in rings.items()}
+    return {
+        **{
+            name: {"n": p.n, "p50": round(1e3 * p.p50, 4), "p99": round(1e3 * p.p99, 4)} for name, p in measured.items()
+        },
+        "ticks": hub.lateness.added,
+        "slips": hub.slips,
+        "real_time_factor": hub.real_time_factor(),
+        "sessions": len(cabins.cabins),
+        "viewers": cabins.viewers(),
+        "cpu_s": time.process_time(),
+        "wall_s": time.monotonic(),
+    }
+
+
+async def told(request: Request, error: Exception) -> Response:
+    """An error that a user can act on, as JSON."""
+    return JSONResponse({"error": str(error)}, status_code=400)

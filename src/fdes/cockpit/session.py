@@ -1,0 +1,231 @@
+"""What everybody in a session sees: a flight, or a recording instead of it. What a tick does, what a pilot may ask for.
+
+The hub ticks a session from its own thread; all other calls come from elsewhere. Every method holds the session's lock
+for some microseconds, and none waits for a disk while it does.
+"""
+
+import threading
+import zlib
+from math import radians
+from pathlib import Path
+from typing import Any
+
+from fdes.cockpit import wire
+from fdes.cockpit.craft import DT, Craft
+from fdes.cockpit.hub import RATE
+from fdes.cockpit.replay import Replay
+from fdes.cockpit.sortie import AGAIN, Sortie, open_recorder
+from fdes.control import Stick
+from fdes.errors import SpecError
+
+EVERY_MOVING, EVERY_STILL = 2, 12  # ticks between frames on the wire: 60 Hz, and 10 Hz while nothing moves
+OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
+EXCURSION = [c.name for c in wire.CHANNELS].index("excursion")
+
+
+class Session:
+    """A flight that goes on while it is `watched`. `changed` says that those who watch should be told how it stands."""
+
+    def __init__(self, name: str, craft: Craft, recordings: Path, *, record: bool = True) -> None:
+        """Begin to fly `craft`. With `record`, a recording in `recordings` begins when the stick first moves."""
+        self.name = name
+        self.watched = False
+        self.changed = True
+        self._recordings, self._record = recordings, record
+        self._lock = threading.Lock()
+        self._sortie = Sortie(craft, Stick(throttle=craft.condition.trim_throttle))
+        self._replay: Replay | None = None
+        self._replayed = craft
+        self._show = True
+        self._sequence = 0
+        self._phase = zlib.crc32(name.encode()) % RATE  # sessions take turns in sending
+
+    @property
+    def shown(self) -> Craft:
+        """The craft of which frames are sent: that of the flight, or that of the replay."""
+        return self._sortie.craft if self._replay is None else self._replayed
+
+    def tick(self, number: int, *, late: bool) -> bytes | None:
+        """One period of the hub: fly or replay one frame, unless frozen; the state frame, when one is due."""
+        if not self.watched:
+            return None
+        with self._lock:
+            sortie, replay, turn = self._sortie, self._replay, number + self._phase
+            moving = not self._frozen()
+            self.changed |= turn % RATE == 0
+            if moving:
+                recorder = sortie.recorder
+                if replay is not None:
+                    replay.advance(DT)
+                else:
+                    sortie.advance()
+                if self._frozen() or sortie.recorder is not recorder:
+                    self._show = self.changed = True
+            if not self._show and turn % (EVERY_MOVING if moving else EVERY_STILL):
+                return None
+            self._show = False
+            return self._pack(late=late)
+
+    def fail(self, trouble: Exception) -> None:
+        """End the flight because of a fault that nobody foresaw."""
+        with self._lock:
+            self._replay = None
+            self._sortie.end(
+                f"A fault in FDES stopped the flight ({type(trouble).__name__}: {trouble}): please report it."
+            )
+            self._show = self.changed = True
+
+    def status(self) -> dict[str, Any]:
+        """How it stands: the session's part of the wire's STATUS."""
+        with self._lock:
+            recorder, replay = self._sortie.recorder, self._replay
+            return {
+                "frozen": self._frozen(),
+                "recording": recorder and {"name": recorder.path.stem, "seconds": round(recorder.frames * DT, 1)},
+                "replay": replay
+                and {"name": replay.name, "t": round(replay.t, 3), "duration": round(replay.duration, 3)},
+                "notice": self._sortie.notice,
+            }
+
+    def put(self, given: wire.Input) -> bool:
+        """Take the pilot's newest input. True when with it a recording should begin."""
+        with self._lock:
+            return self._sortie.take(given) and self._record and self._sortie.recorder is None
+
+    def let_go(self) -> None:
+        """Nobody holds the stick any more: it centers, and the throttle stays."""
+        with self._lock:
+            self._sortie.given = wire.Input(Stick(throttle=self._sortie.given.stick.throttle))
+
+    def freeze(self) -> None:
+        """Stop the flight or the replay. Raises SpecError for a flight that has ended."""
+        with self._lock:
+            if self._replay is not None:
+                self._replay.paused = True
+            else:
+                self._flying().frozen = True
+            self._show = self.changed = True
+
+    def run(self) -> None:
+        """Go on. Raises SpecError for a flight that has ended."""
+        with self._lock:
+            if self._replay is not None:
+                self._replay.resume()
+            else:
+                self._flying().frozen = False
+            self._show = self.changed = True
+
+    def step(self) -> None:
+        """One frame, then frozen. Raises SpecError for a flight that has ended."""
+        with self._lock:
+            if self._replay is not None:
+                self._replay.paused = True
+                self._replay.seek(self._replay.t + DT)
+            else:
+                self._flying().frozen = True
+                self._sortie.advance()
+            self._show = self.changed = True
+
+    def reset(self) -> None:
+        """Back to undisturbed flight; out of a replay, or after the end of a flight, running."""
+        with self._lock:
+            if self._replay is not None:
+                self._replay, self._sortie.frozen = None, self._sortie.ended
+            if self._sortie.ended:
+                self._sortie = Sortie(self._sortie.craft, self._sortie.given.stick)
+            else:
+                self._sortie.reset()
+            self._show = self.changed = True
+
+    def change(self, craft: Craft) -> None:
+        """Fly another craft. A recording of the present one ends."""
+        with self._lock:
+            self._sortie.release("aircraft changed")
+            self._sortie = Sortie(craft, Stick(throttle=craft.condition.trim_throttle))
+            self._replay = None
+            self._show = self.changed = True
+
+    def play(self, replay: Replay, craft: Craft | None = None) -> None:
+        """Show a recording, of `craft` where that is known, and keep the flight frozen meanwhile."""
+        with self._lock:
+            self._replay, self._replayed = replay, craft or self._sortie.craft
+            self._sortie.frozen = True
+            self._show = self.changed = True
+
+    def seek(self, t: float) -> None:
+        """Show the replay at `t` [s] after its start. Raises SpecError when there is none."""
+        with self._lock:
+            self._playing().seek(t)
+            self._show = self.changed = True
+
+    def stop_replay(self) -> None:
+        """Back to the flight, frozen where it was. Raises SpecError when there is no replay."""
+        with self._lock:
+            self._playing()
+            self._replay = None
+            self._show = self.changed = True
+
+    def start_recording(self) -> str:
+        """Begin a recording, and return its name; waits for the disk. Raises SpecError when it cannot begin."""
+        sortie = self._sortie
+        if sortie.recorder is not None:
+            raise SpecError(f"{sortie.recorder.path.stem} is being recorded. End it before you start another.")
+        try:
+            recorder = open_recorder(self._recordings, sortie.craft)
+        except OSError as trouble:
+            why = f"{self._recordings} cannot be written ({trouble.strerror or trouble})"
+            with self._lock:
+                sortie.notice, self.changed = f"The flight is not recorded: {why}.", True
+            raise SpecError(f"The flight is not recorded: {why}.") from trouble
+        with self._lock:
+            too_late = sortie is not self._sortie or sortie.ended or sortie.recorder is not None
+            if not too_late:
+                sortie.recorder, sortie.touched, self.changed = recorder, True, True
+        if too_late:
+            recorder.close("never begun")
+            raise SpecError("The flight ended before its recording began.")
+        return recorder.path.stem
+
+    def stop_recording(self) -> str:
+        """End the recording and keep it; returns its name. Raises SpecError when there is none."""
+        with self._lock:
+            recorder = self._sortie.recorder
+            if recorder is None:
+                raise SpecError("Nothing is being recorded.")
+            self._sortie.release("stopped")
+            self.changed = True
+        return recorder.path.stem
+
+    def close(self) -> None:
+        """End the session; its recording is written to the end by a thread that the interpreter waits for."""
+        with self._lock:
+            self.watched = False
+            self._sortie.release("session closed")
+
+    def _frozen(self) -> bool:
+        return self._sortie.frozen if self._replay is None else self._replay.paused
+
+    def _flying(self) -> Sortie:
+        if self._sortie.ended:
+            raise SpecError(f"The flight has ended. {AGAIN}")
+        return self._sortie
+
+    def _playing(self) -> Replay:
+        if self._replay is None:
+            raise SpecError("No recording is being replayed.")
+        return self._replay
+
+    def _pack(self, *, late: bool) -> bytes:
+        sortie, replay = self._sortie, self._replay
+        frame = sortie.frame
+        t, values = (frame.t, (*frame.outputs, *frame.stick)) if replay is None else (replay.t, replay.frame())
+        flags = (
+            wire.FROZEN * self._frozen()
+            | wire.RECORDING * (sortie.recorder is not None)
+            | wire.REPLAY * (replay is not None)
+            | wire.OUTSIDE * (values[EXCURSION] > OUTSIDE_ANGLE)
+            | wire.ENDED * (sortie.ended and replay is None)
+            | wire.LATE * late
+        )
+        self._sequence += 1
+        return wire.pack_state(flags, self._sequence, t, sortie.flown_with, values)

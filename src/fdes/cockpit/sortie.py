@@ -1,0 +1,121 @@
+"""One flight of a craft, from undisturbed flight to its end, and the recording of it.
+
+A sortie knows neither time nor threads: whoever calls sees to it that calls follow one another.
+"""
+
+import re
+import threading
+from datetime import datetime
+from itertools import count
+from math import isfinite
+from pathlib import Path
+
+from fdes.cockpit.craft import DT, Craft
+from fdes.cockpit.wire import Input
+from fdes.control import Stick
+from fdes.errors import Departed, FdesError
+from fdes.flight import Edit, Frame, Recorder, SteadyAir, fly
+from fdes.flight.recorder import SUFFIX
+
+SLOWEST = 1.0  # m/s
+MOVED = 0.005  # how far a control must go from where it was at the start to count as moved
+LONGEST_RECORDING = 3600.0  # s: some 200 MB
+AGAIN = "Press R to start again."
+
+
+class Sortie:
+    """A flight under way. `frame` is the newest, `flown_with` the input in it, `given` the newest input.
+
+    `notice` is what the pilot should read: why the flight ended, or why it is no longer recorded.
+    """
+
+    def __init__(self, craft: Craft, stick: Stick) -> None:
+        """Begin, with the controls where `stick` has them."""
+        self.craft = craft
+        self.frozen = False
+        self.ended = False
+        self.touched = False
+        self.notice: str | None = None
+        self.recorder: Recorder | None = None
+        self.given = self.flown_with = Input(stick)
+        self._rest = stick
+        self._edit: Edit | None = None
+        self._frames = fly(craft.start, craft.setup, self._pilot, SteadyAir(), craft.clock, edits=self._take_edit)
+        self.frame: Frame = next(self._frames)
+
+    def take(self, given: Input) -> bool:
+        """Take an input. True when it is the first that moves a control."""
+        self.given = given
+        if self.touched or all(abs(a - b) <= MOVED for a, b in zip(given.stick, self._rest, strict=True)):
+            return False
+        self.touched = True
+        return True
+
+    def advance(self) -> None:
+        """Fly one frame, which may be the last."""
+        try:
+            frame = next(self._frames)
+            y = frame.outputs
+            if not isfinite(sum(y)):
+                raise Departed(f"The flight departed at t = {frame.t:.3f} s: an output is no longer a finite number.")
+            self.frame = frame
+            self._record(frame)
+            if y.h <= 0.0:
+                self.end("You met the ground.")
+            elif y.V < SLOWEST:
+                self.end(f"The flight departed at t = {frame.t:.3f} s: the airspeed fell to {y.V:.2f} m/s.")
+        except FdesError as ending:
+            self.end(str(ending))
+        except ArithmeticError as ending:
+            self.end(f"The flight departed after t = {self.frame.t:.3f} s: {ending}.")
+
+    def reset(self) -> None:
+        """Be back in undisturbed flight with the next frame."""
+        self._edit = Edit(state=self.craft.start, note={"reset": True})
+        if self.frozen:
+            self.advance()
+
+    def end(self, message: str) -> None:
+        """Stop for good, and keep the recording."""
+        self.frozen = self.ended = True
+        self.notice = f"{message} {AGAIN}"
+        self.release(message)
+
+    def release(self, reason: str) -> None:
+        """End the recording, if there is one: a thread that the interpreter waits for writes it to its end."""
+        recorder, self.recorder = self.recorder, None
+        if recorder is not None:
+            threading.Thread(target=recorder.close, args=(reason,), name=f"closing {recorder.path.name}").start()
+
+    def _pilot(self, t: float) -> Stick:
+        self.flown_with = self.given
+        return self.given.stick
+
+    def _take_edit(self, t: float) -> Edit | None:
+        edit, self._edit = self._edit, None
+        return edit
+
+    def _record(self, frame: Frame) -> None:
+        recorder = self.recorder
+        if recorder is None:
+            return
+        if recorder.trouble is not None:
+            self.notice = f"The recording ended: {recorder.trouble}"
+            self.release("trouble")
+        elif recorder.frames * DT >= LONGEST_RECORDING:
+            self.notice = f"The recording ended after {LONGEST_RECORDING / 60.0:.0f} minutes, and was kept."
+            self.release("full")
+        else:
+            recorder.append(frame)
+
+
+def open_recorder(folder: Path, craft: Craft) -> Recorder:
+    """A new recording in `folder`, named after the local time and the aircraft. Waits for the disk; raises OSError."""
+    flown = re.sub(r"[^A-Za-z0-9.-]+", "_", f"{craft.condition.aircraft_id}_{craft.condition.condition}")
+    stem = f"{datetime.now().astimezone():%Y-%m-%d_%H-%M-%S}_{flown}"
+    names = (stem if number == 1 else f"{stem}_{number}" for number in count(1))
+    while True:
+        try:
+            return Recorder(folder / f"{next(names)}{SUFFIX}", type(craft.start), craft.header())
+        except FileExistsError:  # another session began within this second
+            continue

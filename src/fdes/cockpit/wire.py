@@ -1,0 +1,202 @@
+"""The wire between server and page, version 1: the layout of binary frames, and what commands may say.
+
+Binary messages are little-endian. A state frame is a header of 32 bytes and a float32 for each of `CHANNELS`:
+
+    u8 type = 1 · u8 version · u16 flags · u32 sequence · f64 t [s]
+    u32 sequence of the input it was flown with · u32 zero · f64 client stamp of that input [ms, the client's clock]
+
+An input frame is 32 bytes, the stick as `fdes.control.Stick` has it (aft, right and right pedal positive):
+
+    u8 type = 2 · u8 version · u16 buttons · u32 sequence · f64 client stamp [ms] · f32 pitch, roll, yaw, throttle
+
+Everything else is JSON text with a "type".
+"""
+
+import json
+import struct
+from collections.abc import Iterable
+from dataclasses import MISSING, dataclass, fields
+from math import isfinite
+from types import NoneType
+from typing import Any, NamedTuple, get_args, get_type_hints
+
+from fdes.control import Stick
+from fdes.errors import SpecError, nearest
+from fdes.physics.signals import Outputs, channels
+
+VERSION = 1
+CHANNELS = (*channels(Outputs), *channels(Stick, "stick_"))
+
+FROZEN = 1
+RECORDING = 2
+REPLAY = 4
+OUTSIDE = 8  # beyond the angle to which the linear plant may be believed
+ENDED = 16
+LATE = 32  # the machine fell behind within the last second
+
+STATE_TYPE = 1
+INPUT_TYPE = 2
+MAX_TEXT = 4096  # bytes
+
+_STATE = struct.Struct(f"<BBHIdIId{len(CHANNELS)}f")
+_INPUT = struct.Struct("<BBHIdffff")
+
+
+class Input(NamedTuple):
+    """The newest word of a pilot: where the controls are, and the client's own mark and time [ms] of it."""
+
+    stick: Stick
+    sequence: int = 0
+    stamp: float = 0.0
+
+
+@dataclass(frozen=True)
+class Freeze:
+    """Stop or go on, flight or replay."""
+
+    value: bool
+
+
+@dataclass(frozen=True)
+class Reset:
+    """Back to undisturbed flight."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One frame, then frozen."""
+
+
+@dataclass(frozen=True)
+class Record:
+    """Start a new recording, or end the present one and keep it."""
+
+    value: bool
+
+
+@dataclass(frozen=True)
+class ChooseAircraft:
+    """Fly another aircraft, or another condition of it."""
+
+    aircraft: str
+    condition: str | None = None
+    variant: str = "corrected"
+
+
+@dataclass(frozen=True)
+class PlayBack:
+    """Show a recording instead of the flight."""
+
+    recording: str
+
+
+@dataclass(frozen=True)
+class Seek:
+    """Jump to `t` [s] after the start of the recording that is shown."""
+
+    t: float
+
+
+@dataclass(frozen=True)
+class StopReplay:
+    """Back to the flight, frozen where it was."""
+
+
+@dataclass(frozen=True)
+class Ping:
+    """Nothing but an answer."""
+
+
+Command = Freeze | Reset | Step | Record | ChooseAircraft | PlayBack | Seek | StopReplay | Ping
+
+COMMANDS: dict[str, type[Command]] = {
+    "freeze": Freeze,
+    "reset": Reset,
+    "step": Step,
+    "record": Record,
+    "aircraft": ChooseAircraft,
+    "replay": PlayBack,
+    "seek": Seek,
+    "stop_replay": StopReplay,
+    "ping": Ping,
+}
+
+_SAID = {bool: "true or false", str: "a text", float: "a finite number", NoneType: "null"}
+
+
+def pack_state(flags: int, sequence: int, t: float, echo: Input, values: Iterable[float]) -> bytes:
+    """A state frame. `values` [SI] are as many as `CHANNELS` and in their order."""
+    return _STATE.pack(STATE_TYPE, VERSION, flags, sequence & 0xFFFFFFFF, t, echo.sequence, 0, echo.stamp, *values)
+
+
+def unpack_input(data: bytes) -> Input:
+    """Read an input frame, the stick limited to its travel. Raises SpecError when it is none."""
+    if len(data) != _INPUT.size:
+        raise SpecError(f"An input frame has {_INPUT.size} bytes; {len(data)} came.")
+    kind, version, _, sequence, stamp, *controls = _INPUT.unpack(data)
+    if (kind, version) != (INPUT_TYPE, VERSION):
+        raise SpecError(
+            f"The binary message has type {kind} and version {version}; an input frame has {INPUT_TYPE} and {VERSION}."
+        )
+    if not (isfinite(stamp) and all(map(isfinite, controls))):
+        raise SpecError(
+            "The input frame holds a number that is not finite. Center the stick and check its calibration."
+        )
+    pitch, roll, yaw = (min(max(v, -1.0), 1.0) for v in controls[:3])
+    return Input(Stick(pitch, roll, yaw, min(max(controls[3], 0.0), 1.0)), sequence, stamp)
+
+
+def read_text(text: str) -> dict[str, Any]:
+    """Read a text message as the JSON object it must be. Raises SpecError."""
+    if len(text) > MAX_TEXT or len(text.encode()) > MAX_TEXT:
+        raise SpecError(f"The message is longer than {MAX_TEXT} bytes.")
+    try:
+        message = json.loads(text)
+    except (ValueError, RecursionError):
+        raise SpecError("The message is not JSON.") from None
+    if not isinstance(message, dict):
+        raise SpecError('The message is not a JSON object such as {"type": "command", ...}.')
+    if message.get("type") != "command":
+        raise SpecError(f"The server takes messages of type 'command', not {_shown(message.get('type'))}.")
+    if message.get("version") != VERSION:
+        raise SpecError(
+            f"This server speaks version {VERSION}; the command has version {_shown(message.get('version'))}."
+        )
+    number = message.get("id")
+    if type(number) is not int or abs(number) >= 2**53:
+        raise SpecError(f"A command needs an 'id', a whole number, for its reply; this one has {_shown(number)}.")
+    return message
+
+
+def command_of(message: dict[str, Any]) -> Command:
+    """The command a message gives. Raises SpecError for an unknown command, a missing or a misshapen argument."""
+    name = message.get("name")
+    if not isinstance(name, str) or name not in COMMANDS:
+        near = nearest(name, COMMANDS) if isinstance(name, str) else None
+        hint = f" Did you mean {near!r}?" if near else ""
+        raise SpecError(f"There is no command {_shown(name)}.{hint} Known: {', '.join(COMMANDS)}.")
+    kind = COMMANDS[name]
+    hints = get_type_hints(kind)
+    given: dict[str, Any] = {}
+    for field in fields(kind):
+        if field.name in message:
+            given[field.name] = _fitting(name, field.name, message[field.name], hints[field.name])
+        elif field.default is MISSING:
+            raise SpecError(f"The command {name!r} needs {field.name!r}.")
+    return kind(**given)
+
+
+def _fitting(command: str, key: str, value: Any, hint: Any) -> Any:
+    wanted = get_args(hint) or (hint,)
+    if float in wanted and isinstance(value, int) and not isinstance(value, bool):
+        value = float(value) if abs(value) < 2**53 else float("inf")
+    if type(value) not in wanted or (isinstance(value, float) and not isfinite(value)):
+        said = " or ".join(_SAID[w] for w in wanted)
+        raise SpecError(f"{key!r} of the command {command!r} is {_shown(value)}; it must be {said}.")
+    return value
+
+
+def _shown(value: Any) -> str:
+    """A value from outside as an error message may quote it: never long."""
+    text = repr(value)
+    return text if len(text) <= 40 else f"{text[:40]}..."
