@@ -1,4 +1,4 @@
-"""What is wrong with an aircraft file, in sentences: never a dump of the validator."""
+"""What is wrong with an aircraft file, in sentences that a reader of the file understands."""
 
 from typing import Any, get_args
 
@@ -9,6 +9,20 @@ from fdes.errors import nearest
 
 SHOWN = 5
 
+# What validation calls a mistake, and what is said of the place where it is.
+SENTENCES = {
+    "missing": "is missing",
+    "value_error": "{error}",
+    "finite_number": "is {input}; it must be a finite number",
+    "greater_than": "is {input}; it must be greater than {gt:g}",
+    "literal_error": "is {input!r}; it must be {expected}",
+    "string_too_short": "is empty",
+    "too_short": "is empty; it needs at least one",
+    "float_type": "is {input!r}; it must be a number",
+    "string_type": "is {input!r}; it must be text in quotes",
+    "bool_type": "is {input!r}; it must be true or false",
+}
+
 
 def explain(error: ValidationError, document: dict[str, Any]) -> str:
     """The mistakes that validation found in `document`, one line each, the first few of them."""
@@ -17,64 +31,41 @@ def explain(error: ValidationError, document: dict[str, Any]) -> str:
     return "\n".join([*lines[:SHOWN], *more])
 
 
-def _place(loc: tuple[int | str, ...], document: Any) -> str:
-    """Where in the file: ``condition M0.4_SL, derivatives, Cl_p: ``. A condition goes by its id."""
-    words: list[str] = []
-    for key in loc:
-        document = _inner(document, key)
-        if isinstance(key, int) and words and words[-1] == "conditions":
-            words[-1] = f"condition {_inner(document, 'id') or key + 1}"
-        else:
-            words.append(str(key))
-    return f"{', '.join(words)}: " if words else ""
+def _place(loc: tuple[int | str, ...], document: dict[str, Any]) -> str:
+    """Where in the file: ``derivatives.Cl_p of condition 'M0.4_SL' ``. A condition goes by its id."""
+    if len(loc) > 1 and loc[0] == "conditions" and isinstance(loc[1], int):
+        given = document["conditions"][loc[1]]
+        name = repr(given["id"]) if isinstance(given, dict) and "id" in given else str(loc[1] + 1)
+        return f"{_dotted(loc[2:])} of condition {name} " if loc[2:] else f"condition {name} "
+    return f"{_dotted(loc)} " if loc else ""
 
 
-def _inner(document: Any, key: int | str) -> Any:
-    if isinstance(document, dict):
-        return document.get(key)
-    return document[key] if isinstance(document, list) and isinstance(key, int) and key < len(document) else None
+def _dotted(loc: tuple[int | str, ...]) -> str:
+    return ".".join(str(key) for key in loc)
 
 
 def _sentence(error: dict[str, Any]) -> str:
-    given = error["input"]
-    match error["type"]:
-        case "extra_forbidden":
-            known = _known_keys(error["loc"][:-1])
-            near = nearest(str(error["loc"][-1]), known)
-            return "unknown key. " + (f"Did you mean {near!r}?" if near else f"Known here: {', '.join(known)}.")
-        case "missing":
-            return "is missing."
-        case "value_error":
-            return f"{error['ctx']['error']}."
-        case "finite_number":
-            return f"is {given}; it must be a finite number."
-        case "greater_than":
-            return f"is {given}; it must be greater than {error['ctx']['gt']:g}."
-        case "literal_error":
-            return f"is {given!r}; it must be {error['ctx']['expected']}."
-        case "string_too_short":
-            return "is empty."
-        case "too_short":
-            return "is empty; it needs at least one."
-        case "float_type":
-            return f"is {given!r}; it must be a number."
-        case "string_type":
-            return f"is {given!r}; it must be text in quotes."
-        case "bool_type":
-            return f"is {given!r}; it must be true or false."
-        case "model_type":
-            return f"is {given!r}; it must be a table with the keys {', '.join(_known_keys(error['loc']))}."
-        case _:
-            return f"is {given!r}: {error['msg'][0].lower()}{error['msg'][1:]}."
+    known = _known_keys(error["loc"])
+    if error["type"] == "extra_forbidden":
+        known = _known_keys(error["loc"][:-1])
+        near = nearest(str(error["loc"][-1]), known)
+        return "is not a known key. " + (f"Did you mean {near!r}?" if near else f"Known here: {', '.join(known)}.")
+    if error["type"] == "model_type":
+        number = "printed" in known
+        wanted = "a number or a table such as { printed = 0.5 }" if number else f"a table of {', '.join(known)}"
+        return f"is {error['input']!r}; it must be {wanted}."
+    sentence = SENTENCES.get(error["type"], "is {input!r}: {msg}")
+    return sentence.format(input=error["input"], msg=error["msg"], **error.get("ctx", {})) + "."
 
 
 def _known_keys(loc: tuple[int | str, ...]) -> list[str]:
-    """The keys that the schema knows at a place."""
-    model: type[BaseModel] = AircraftFile
+    """The keys that the schema knows at a place; none where a number or a text belongs."""
+    models: list[type[BaseModel]] = [AircraftFile]
     for key in loc:
         if isinstance(key, str):
-            model = _models(model.model_fields[key].annotation)[0]
-    return list(model.model_fields)
+            field = models[0].model_fields.get(key) if models else None
+            models = _models(field.annotation) if field else []
+    return list(models[0].model_fields) if models else []
 
 
 def _models(annotation: Any) -> list[type[BaseModel]]:

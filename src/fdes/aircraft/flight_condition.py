@@ -1,7 +1,7 @@
 """An aircraft in one flight condition: the numbers a plant is made of, in SI, and where each is from."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from fdes.aircraft.schema import AircraftFile, Assumed, Condition, Confidence, Number, Part, Variant
@@ -10,7 +10,7 @@ from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients, Reference
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import Limits
-from fdes.units import G0, si_unit
+from fdes.units import DEG, G0, si_unit
 
 AILERON = ("Cy_da", "Cl_da", "Cn_da")
 INERTIA = ("Ix", "Iy", "Iz", "Ixz")
@@ -62,10 +62,10 @@ class FlightCondition:
     full_stick: Surfaces
     trim_throttle: float
     cg: float | None
-    notes: tuple[str, ...]
-    assumed: Mapping[str, Mapping[str, Any]]
-    provenance: Mapping[str, Provenance]
-    document: Mapping[str, Any]
+    notes: tuple[str, ...] = field(repr=False)
+    assumed: Mapping[str, Mapping[str, Any]] = field(repr=False)
+    provenance: Mapping[str, Provenance] = field(repr=False)
+    document: Mapping[str, Any] = field(repr=False)
 
 
 def flight_condition(
@@ -85,9 +85,7 @@ def flight_condition(
         lower=Surfaces(-si["elevator_up_limit"], -si["aileron_limit"], -si["rudder_limit"], 0.0),
         upper=Surfaces(si["elevator_down_limit"], si["aileron_limit"], si["rudder_limit"], 1.0),
     )
-    full_stick = Surfaces(
-        -si["full_stick_elevator"], si["full_stick_aileron"], -si["full_pedal_rudder"], throttle=1.0
-    )
+    full_stick = Surfaces(-si["full_stick_elevator"], si["full_stick_aileron"], -si["full_pedal_rudder"], throttle=1.0)
     drag = value["CD"] * 0.5 * reference.rho * reference.V**2 * reference.S
     ready = FlightCondition(
         aircraft_id=file.id,
@@ -150,16 +148,14 @@ def _reference(value: Mapping[str, float], mach: float, T_max: float) -> Referen
     )
 
 
-def _notes(
-    condition: Condition, variant: Variant, provenance: Mapping[str, Provenance], *, reverse: bool
-) -> list[str]:
+def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Provenance], *, reverse: bool) -> list[str]:
     """What follows from how the file is filled in."""
     notes = []
     absent = [name for name in Coefficients._fields if name not in provenance]
     presumed = [name for name, p in provenance.items() if p.corrected is not None and p.unverified]
     if condition.consistent_mass:
-        used = "Used is the mass" if variant == "corrected" else "The printed mass is used, not that"
-        notes.append(f"{condition.consistent_mass.reason} {used} that belongs to the coefficients.")
+        used = "the one that belongs to them" if variant == "corrected" else "the printed one all the same"
+        notes.append(f"{condition.consistent_mass.reason} The mass used is {used}.")
     if presumed and variant == "corrected":
         notes.append(f"Presumed corrections, found in no source: {', '.join(presumed)}.")
     if condition.trim_alpha is None:
@@ -177,21 +173,24 @@ def _check(ready: FlightCondition, drag: float) -> None:
     ref = ready.reference
     if ref.Ix * ref.Iz <= ref.Ixz**2:
         raise AircraftFileError(
-            f"{where}: Ixz = {ref.Ixz:,.0f} kg m^2 is too large beside Ix = {ref.Ix:,.0f} and Iz = {ref.Iz:,.0f} kg m^2. "
-            "No body has such inertias: Ixz squared must be less than Ix times Iz."
+            f"{where}: Ix, Iz and Ixz are {ref.Ix:,.0f}, {ref.Iz:,.0f} and {ref.Ixz:,.0f} kg m^2; no body has such "
+            "inertias. Ixz squared must be less than Ix times Iz."
         )
     if ready.coefficients.Cl_da <= 0.0:
         raise AircraftFileError(
-            f"{where}: positive aileron would roll left (Cl_da = {ready.coefficients.Cl_da:g} with the file's "
-            'aileron_sense). Where the source prints Cl_da < 0, set aileron_sense = "positive rolls left".'
+            f"{where}: Cl_da is {ready.coefficients.Cl_da:g} 1/rad by the file's aileron_sense, but positive aileron "
+            'must roll right. Where the source prints Cl_da < 0, say aileron_sense = "positive rolls left".'
         )
     if ready.trim_throttle > 1.0:
         raise AircraftFileError(
             f"{where}: level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
-            "Check CD, or assume more thrust."
+            "Check CD, the altitude and the units, or assume more thrust."
         )
     for name, held, low, high in zip(
         Surfaces._fields, ready.full_stick, ready.limits.lower, ready.limits.upper, strict=True
     ):
         if not low <= held <= high:
-            raise AircraftFileError(f"{where}: full stick moves the {name} beyond its limit. Assume less, or more travel.")
+            raise AircraftFileError(
+                f"{where}: full stick moves the {name} to {held / DEG:g} deg, beyond its limits of {low / DEG:g} and "
+                f"{high / DEG:g} deg. Assume less stick or more travel."
+            )

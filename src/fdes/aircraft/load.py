@@ -81,7 +81,7 @@ def load(name_or_path: str | Path) -> Aircraft:
     """
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.endswith(".toml") or "/" in text or "\\" in text:
-        return _read(Path(name_or_path))
+        return _read(Path(name_or_path).expanduser())
     folded = fold(text)
     if folded in _stems():  # a file of the hangar is named by the folded id, so that the others need not be read
         return _of_hangar(folded)

@@ -255,7 +255,9 @@ class AircraftFile(Part):
             for name, number in condition.consistent_mass or ():
                 if isinstance(number, Number) and number.unit != getattr(self.mass, name).unit:
                     unit = getattr(self.mass, name).unit
-                    raise ValueError(f"condition {condition.id!r}: write consistent_mass.{name} in {unit}, as under [mass]")
+                    raise ValueError(
+                        f"consistent_mass.{name} of condition {condition.id!r} is not in {unit}, as [mass] is"
+                    )
             for name in Assumed.model_fields:
                 if self.assumption(name, condition) is None:
                     raise ValueError(f"[assumed] lacks {name!r}, and condition {condition.id!r} does not give its own")
