@@ -7,6 +7,7 @@ import subprocess
 import sys
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -69,7 +70,7 @@ def test_reader_of_the_recording_format(tmp_path: Path) -> None:
     for frame in fly(plant.start(), setup, HandsOff(condition.trim_throttle), SteadyAir(), Clock(0.01, duration=0.1)):
         recorder.append(frame)
     recorder.close()
-    described: dict[str, object] = {}
+    described: dict[str, Any] = {}
     (code,) = blocks("docs/recording-format.md", "python")
     exec(code, described)
     names, data = described["read"](path)
