@@ -55,11 +55,15 @@ def test_doublet_has_no_mean() -> None:
     [
         ("stp aileron 1deg", NoSuchPart, "There is no input named 'stp'. Did you mean 'step'?"),
         ("step ailerons 1deg", NoSuchPart, "There is no input channel named 'ailerons'. Did you mean 'aileron'?"),
-        ("step aileron", SpecError, "The input 'step aileron' is incomplete. Write it like 'step aileron 15deg at 0s'."),
+        (
+            "step aileron",
+            SpecError,
+            "The input 'step aileron' is incomplete. Write it like 'step aileron 15deg at 0s'.",
+        ),
         ("step aileron 15kt", SpecError, "'15kt' is in kt, which is not a unit of this quantity. Use one of: rad, deg"),
         ("doublet elevator 5deg for -1s", SpecError, "it must last longer than 0 s"),
         ("step elevator 5deg at", SpecError, "does not say its value after 'at'"),
-        ("step elevator 5deg for 2s", SpecError, "'5deg for 2s' is not a number with a unit"),
+        ("step elevator 5deg for 2s", SpecError, "says 'for', which a step does not have. It knows: at."),
     ],
 )
 def test_says_what_is_wrong_with_an_input(text: str, error: type[Exception], words: str) -> None:

@@ -1,8 +1,8 @@
 """Natural modes: eigenvalues, named by which states take part in them.
 
 Naming by size or by order fails as soon as a derivative is edited: with Cm_alpha > 0 the short period splits into two
-real roots, and one of them may join a phugoid root in a new oscillation. So each eigenvalue is named by its
-participation factors, which do not depend on the units or scaling of the states.
+real roots, and one of them joins a phugoid root in a new oscillation. So each root is given to the family of modes
+whose states take most part in it, by participation factors, which do not depend on the units of the states.
 
 Reference: I. J. Perez-Arriaga, G. C. Verghese, F. C. Schweppe, IEEE Trans. Power Apparatus and Systems PAS-101 (1982)
 3117-3125, for participation factors; Etkin and Reid, Dynamics of Flight, 3rd ed., sections 6.2 and 6.8, for the modes.
@@ -10,6 +10,7 @@ Reference: I. J. Perez-Arriaga, G. C. Verghese, F. C. Schweppe, IEEE Trans. Powe
 
 import math
 from dataclasses import asdict, dataclass
+from itertools import permutations
 from typing import Any, Literal
 
 import numpy as np
@@ -21,8 +22,21 @@ from fdes.physics.derivatives import Form
 
 Axis = Literal["longitudinal", "lateral"]
 
-# A pair is a third oscillation when neither family of states owns more than this share of it.
-MIXED = 0.65
+# The families of each axis, and the states they live in. A family has as many roots as states.
+FAMILIES: dict[Axis, dict[str, tuple[str, ...]]] = {
+    "longitudinal": {"short_period": ("w", "q"), "phugoid": ("u", "theta")},
+    "lateral": {"roll": ("p",), "dutch_roll": ("beta", "r"), "spiral": ("phi",)},
+}
+# The share of its states that a family must have in an oscillation to call it its own. The phugoid and the short period
+# hardly mix before they merge; roll rate takes part in every Dutch roll.
+OWN: dict[Axis, float] = {"longitudinal": 0.75, "lateral": 0.5}
+# What an oscillation is called when its two roots come from two families.
+MERGED = {
+    frozenset({"short_period", "phugoid"}): "third_oscillatory",
+    frozenset({"roll", "spiral"}): "roll_spiral",
+    frozenset({"roll", "dutch_roll"}): "roll_dutch_roll",
+    frozenset({"spiral", "dutch_roll"}): "spiral_dutch_roll",
+}
 
 
 @dataclass(frozen=True)
@@ -66,20 +80,34 @@ def modes(of: LinearModel | FlightCondition, form: Form = "full") -> list[Mode]:
 
 @dataclass(frozen=True)
 class _Root:
-    """An eigenvalue with nonnegative imaginary part, and who takes part in it."""
+    """An eigenvalue with nonnegative imaginary part, and the share of each state in it."""
 
     value: complex
     shares: dict[str, float]
 
-    def share(self, *states: str) -> float:
-        return sum(self.shares[s] for s in states)
-
 
 def _axis_modes(axis: Axis, model: LinearModel) -> list[Mode]:
     roots = _roots(model)
-    pairs = [r for r in roots if r.value.imag > 0.0]
+    families = FAMILIES[axis]
+    places = [family for family, states in families.items() for _ in states]
+
+    def share(family: str, root: _Root) -> float:
+        return sum(root.shares[s] for s in families[family])
+
+    def most_of_its_own(root: _Root) -> float:
+        return max(share(f, root) for f, states in families.items() if len(states) == 2)
+
+    named: list[tuple[str, _Root]] = []
+    for pair in sorted((r for r in roots if r.value.imag > 0.0), key=most_of_its_own, reverse=True):
+        first, *others = sorted(dict.fromkeys(places), key=lambda f: share(f, pair), reverse=True)
+        own = places.count(first) == 2 and (not others or share(first, pair) >= OWN[axis])
+        taken = (first, first) if own else (first, others[0])
+        named.append((first if own else MERGED[frozenset(taken)], pair))
+        for family in taken:
+            places.remove(family)
     reals = [r for r in roots if r.value.imag == 0.0]
-    named = _longitudinal_names(pairs, reals) if axis == "longitudinal" else _lateral_names(pairs, reals)
+    best = max(permutations(reals), key=lambda order: sum(map(share, places, order)))
+    named += _real_modes(list(zip(places, best, strict=True)))
     return [_mode(name, axis, root) for name, root in sorted(named, key=lambda n: -abs(n[1].value))]
 
 
@@ -99,56 +127,21 @@ def _roots(model: LinearModel) -> list[_Root]:
     ]
 
 
-def _longitudinal_names(pairs: list[_Root], reals: list[_Root]) -> list[tuple[str, _Root]]:
-    """Two families: the fast one lives in w and q, the slow one in u and theta."""
-
-    def fast(root: _Root) -> float:
-        return root.share("w", "q")
-
-    if len(pairs) == 2:
-        slow, quick = sorted(pairs, key=fast)
-        return [("short_period", quick), ("phugoid", slow)]
-    ranked = sorted(reals, key=fast, reverse=True)
-    if len(pairs) == 1:
-        (pair,) = pairs
-        if fast(pair) > MIXED:
-            return [("short_period", pair), *_split("phugoid", ranked)]
-        if fast(pair) < 1.0 - MIXED:
-            return [("phugoid", pair), *_split("short_period", ranked)]
-        quick, slow = ranked
-        return [("third_oscillatory", pair), ("short_period_fast", quick), ("phugoid_slow", slow)]
-    return [*_split("short_period", ranked[:2]), *_split("phugoid", ranked[2:])]
-
-
-def _lateral_names(pairs: list[_Root], reals: list[_Root]) -> list[tuple[str, _Root]]:
-    """The Dutch roll lives in beta and r; roll and spiral, or what they make together, in p and phi."""
-
-    def yawing(root: _Root) -> float:
-        return root.share("beta", "r")
-
-    def rolling(root: _Root) -> float:
-        return root.share("p")
-
-    if len(pairs) == 2:
-        roll_spiral, dutch = sorted(pairs, key=yawing)
-        return [("dutch_roll", dutch), ("roll_spiral", roll_spiral)]
-    if len(pairs) == 1:
-        (pair,) = pairs
-        if yawing(pair) >= 0.5 or max(yawing(r) for r in reals) < 0.5:
-            spiral, roll = sorted(reals, key=rolling)
-            return [("dutch_roll", pair), ("roll", roll), ("spiral", spiral)]
-        return [("roll_spiral", pair), *_split("dutch_roll", reals)]
-    ranked = sorted(reals, key=rolling)
-    roll = ranked.pop()
-    ranked.sort(key=yawing)
-    spiral, *dutch_roots = ranked
-    return [("roll", roll), ("spiral", spiral), *_split("dutch_roll", dutch_roots)]
-
-
-def _split(family: str, roots: list[_Root]) -> list[tuple[str, _Root]]:
-    """Two real roots of a family whose oscillation has split."""
-    slow, quick = sorted(roots, key=lambda r: abs(r.value))
-    return [(f"{family}_fast", quick), (f"{family}_slow", slow)]
+def _real_modes(by_family: list[tuple[str, _Root]]) -> list[tuple[str, _Root]]:
+    """The real roots by name. Those of an oscillation that has split are its faster and its slower half; where only one
+    half is real, the other has merged elsewhere: the short period leaves its faster half, the phugoid its slower.
+    """
+    reals = sorted(by_family, key=lambda n: -abs(n[1].value))
+    families = [family for family, _ in reals]
+    named = []
+    for i, (family, root) in enumerate(reals):
+        if family in {"roll", "spiral"}:
+            named.append((family, root))
+        elif families.count(family) == 2:
+            named.append((f"{family}_{'fast' if family in families[i + 1 :] else 'slow'}", root))
+        else:
+            named.append((f"{family}_{'slow' if family == 'phugoid' else 'fast'}", root))
+    return named
 
 
 def _mode(name: str, axis: Axis, root: _Root) -> Mode:

@@ -49,6 +49,11 @@ def _parse_one(text: str) -> tuple[str, Callable[[float], float]]:
     keys = [f.name for f in fields(shape)][1:]
     hints = get_type_hints(shape, include_extras=True)
     amplitude, *named = _split_at_keywords(rest, keys)
+    stranger = next((w for w in amplitude[1].split()[1:] if w in {*_WORDS, *_WORDS.values()}), None)
+    if stranger:
+        raise SpecError(
+            f"The input {text!r} says {stranger!r}, which a {kind} does not have. It knows: {', '.join(keys)}."
+        )
     values: dict[str, Any] = {}
     for key, said in named:
         if not said:

@@ -4,6 +4,7 @@ import json
 import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
 
@@ -66,7 +67,8 @@ def frames_to_recording(
     header: dict[str, Any], columns: tuple[Channel, ...], rows: Iterable[tuple[float, ...]]
 ) -> Recording:
     """A flight that was never on disk, as a recording."""
-    return Recording(header, columns, np.array(list(rows), dtype=np.float64).reshape(-1, len(columns)), (), True)
+    data = np.fromiter(chain.from_iterable(rows), np.float64).reshape(-1, len(columns))
+    return Recording(header, columns, data, (), True)
 
 
 def write_csv(file: TextIO, columns: tuple[Channel, ...], data: NDArray[np.float64], units: str = "si") -> None:

@@ -152,7 +152,8 @@ def stability_axis_inertia(ref: Reference) -> tuple[KilogramMeter2, KilogramMete
 
 def dimensional(k: Coefficients, ref: Reference, form: Form) -> Dimensional:
     """Dimensional derivatives. Only `full` rotates the inertias. The sign of Z_wdot is that of a lift force:
-    the book's table prints it without the minus."""
+    the book's table prints it without the minus.
+    """
     V, m = ref.V, ref.m
     qS = 0.5 * ref.rho * V * V * ref.S
     c2, b2 = ref.c / (2.0 * V), ref.b / (2.0 * V)
@@ -229,7 +230,8 @@ def _nelson(d: Dimensional, ref: Reference) -> Matrices:
 
 def _full(d: Dimensional, ref: Reference) -> Matrices:
     """Nothing neglected that the derivatives can say: w_dot solved for first, then q_dot; p_dot and r_dot through Ixz.
-    McRuer et al., eq. 5-2 and 6-2, with the primed derivatives of eq. 6-5."""
+    McRuer et al., eq. 5-2 and 6-2, with the primed derivatives of eq. 6-5.
+    """
     g, V, gamma = ref.g, ref.V, ref.gamma
     z = 1.0 / (1.0 - d.Z_wdot)
     w = (d.Z_u * z, d.Z_w * z, (V + d.Z_q) * z, -g * sin(gamma) * z)

@@ -1,8 +1,8 @@
 """The linear plant: what flies when the equations are those of small perturbations.
 
 Its state is what is disturbed, in stability axes, and where the aircraft is; `derivatives` makes its matrices. It is
-honest to about 15 degrees from the reference condition (Mansor and Perumal, section 7), and `Outputs.excursion` says how
-far it is.
+honest to about 15 degrees from the reference condition (Mansor and Perumal, section 7), and `Outputs.excursion` says
+how far it is.
 """
 
 from typing import Annotated, NamedTuple

@@ -16,7 +16,8 @@ HARMONICS = 8
 @dataclass(frozen=True)
 class Multisine:
     """`amplitude`, the largest value, in the unit of its channel; from the time `at` [s], `lasting` [s] long, with the
-    `period` [s] of the lowest of eight harmonics."""
+    `period` [s] of the lowest of eight harmonics.
+    """
 
     amplitude: float
     at: Annotated[float, "s"] = 0.0

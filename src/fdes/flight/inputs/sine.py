@@ -9,7 +9,7 @@ __all__ = ["Sine"]
 
 @dataclass(frozen=True)
 class Sine:
-    """`amplitude` in the unit of its channel, of the `period` [s], from the time `at` [s], `lasting` [s] long or for good."""
+    """`amplitude` in the unit of its channel, of the `period` [s], from `at` [s] on, `lasting` [s] long or for good."""
 
     amplitude: float
     at: Annotated[float, "s"] = 0.0

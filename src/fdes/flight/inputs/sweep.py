@@ -1,6 +1,6 @@
 """A frequency sweep: a sine whose frequency grows exponentially, so that every octave gets the same time.
 
-Reference: M. B. Tischler, R. K. Remple, Aircraft and Rotorcraft System Identification, 2nd ed., AIAA 2012, eq. 5.16-5.18.
+Reference: M. B. Tischler, R. K. Remple, Aircraft and Rotorcraft System Identification, 2nd ed., AIAA 2012, section 5.11.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,8 @@ __all__ = ["Sweep"]
 @dataclass(frozen=True)
 class Sweep:
     """`amplitude` in the unit of its channel, from the time `at` [s], `lasting` [s] long, from a wave of the period
-    `slowest` [s] to one of the period `fastest` [s]."""
+    `slowest` [s] to one of the period `fastest` [s].
+    """
 
     amplitude: float
     at: Annotated[float, "s"] = 0.0

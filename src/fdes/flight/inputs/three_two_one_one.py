@@ -1,7 +1,6 @@
 """A 3-2-1-1: four alternating pulses whose lengths are as 3, 2, 1, 1, the classical input for identification.
 
-Reference: J. A. Mulder et al., AGARD-AG-300 vol. 3, 1994; R. V. Jategaonkar, Flight Vehicle System Identification, 2006,
-section 2.3.
+Reference: R. V. Jategaonkar, Flight Vehicle System Identification, AIAA 2006, section 2.3.
 """
 
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ __all__ = ["ThreeTwoOneOne"]
 
 @dataclass(frozen=True)
 class ThreeTwoOneOne:
-    """`amplitude` in the unit of its channel, from the time `at` [s]; all seven units together are `lasting` [s] long."""
+    """`amplitude` in the unit of its channel, from `at` [s] on; all seven units together are `lasting` [s] long."""
 
     amplitude: float
     at: Annotated[float, "s"] = 0.0
