@@ -1,0 +1,5 @@
+"""`python -m fdes` is `fdes`."""
+
+from fdes.cli import main
+
+main()

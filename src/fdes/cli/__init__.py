@@ -1,0 +1,88 @@
+"""The command line: one file per command, all thin.
+
+A command reads its words, asks the rooms below, and prints. A mistake of its user ends it with status 2 and the text of
+the FdesError; anything else that is raised is a fault of FDES, and shows its traceback.
+"""
+
+import os
+import sys
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from fdes import __version__
+from fdes.cli.aircraft import app as aircraft
+from fdes.cli.derivatives import derivatives
+from fdes.cli.fly import fly
+from fdes.cli.modes import modes
+from fdes.cli.options import FLAG
+from fdes.cli.output import complain, use_any_encoding
+from fdes.cli.simulate import simulate
+from fdes.errors import FdesError
+
+__all__ = ["app", "main"]
+
+HELP_OPTIONS = {"help_option_names": ["-h", "--help"]}
+
+
+class Commands(TyperGroup):
+    """The commands, and what becomes of a mistake in any of them."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command."""
+        try:
+            return super().invoke(ctx)
+        except FdesError as mistake:
+            complain(str(mistake))
+            raise typer.Exit(2) from mistake
+
+
+app = typer.Typer(
+    name="fdes",
+    cls=Commands,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings=HELP_OPTIONS,
+    epilog="Example: fdes fly A-4D",
+)
+app.command(epilog="Example: fdes fly NAVION --form nelson")(fly)
+app.command(epilog="Example: fdes modes NAVION --form nelson --variant printed")(modes)
+app.command(epilog="Example: fdes derivatives B747 --condition M0.90_40kft --json")(derivatives)
+app.command(
+    epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
+)(simulate)
+app.add_typer(aircraft, name="aircraft")
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        print(f"fdes {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def fdes(
+    version: Annotated[
+        bool,
+        typer.Option("--version", metavar=FLAG, callback=_version, is_eager=True, help="Print the version and exit."),
+    ] = False,
+) -> None:
+    """FDES, the flight dynamics engineering simulator: fly an aircraft, change a derivative, see what that does."""
+
+
+def main() -> None:
+    """Run the command that the program was called with, and exit with its status."""
+    use_any_encoding()
+    try:
+        try:
+            app(prog_name="fdes")
+        finally:
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except BrokenPipeError:
+        # Whoever read the output has enough. What is still waiting goes nowhere, or Python would complain at its end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)

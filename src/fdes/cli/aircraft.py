@@ -1,0 +1,170 @@
+"""`fdes aircraft`: what can be flown, and where every number of it is from."""
+
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import typer
+from typer.core import TyperGroup
+
+from fdes.cli.options import AircraftName, AsJson, ConditionName, VariantName
+from fdes.cli.output import number, print_json, screen, table
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from rich.table import Table
+
+    from fdes.aircraft import Aircraft, FlightCondition
+
+
+class ListOrShow(TyperGroup):
+    """Without a word all aircraft are listed; a word that is no command is an aircraft to show."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Put in the command that was left out."""
+        named = any(not word.startswith("-") for word in args)
+        if not {*args[:1]} & {*self.commands, *ctx.help_option_names}:
+            args = ["show" if named else "list", *args]
+        return super().parse_args(ctx, args)
+
+
+app = typer.Typer(cls=ListOrShow, help="List the aircraft, or show one.", epilog="Example: fdes aircraft A-4D")
+
+
+@app.command("list", epilog="Example: fdes aircraft list --json")
+def list_all(json: AsJson = False) -> None:
+    """All aircraft, their flight conditions, and the work that their numbers are from."""
+    from fdes.aircraft import catalogue
+
+    if json:
+        print_json([_picture(a) for a in catalogue()])
+        return
+    from rich.table import Table
+    from rich.text import Text
+
+    drawn = Table.grid(padding=(0, 2))
+    for a in catalogue():
+        drawn.add_row(Text(a.id, "bold"), a.name)
+        for c in a.conditions:
+            drawn.add_row("", f"{c.id:<12}{c.name}")
+        drawn.add_row("", Text(a.source, "dim"))
+        drawn.add_row()
+    show = screen()
+    show.print(drawn)
+    show.print("Any of them: fdes fly NAVION, fdes modes NAVION, fdes aircraft NAVION")
+
+
+@app.command(epilog="Example: fdes aircraft show NAVION --condition M0.158_SL")
+def show(
+    aircraft: AircraftName,
+    condition: ConditionName = None,
+    variant: VariantName = "corrected",
+    json: AsJson = False,
+) -> None:
+    """Every number of an aircraft: as printed, corrected and why, how sure; and what is only assumed."""
+    from fdes.aircraft import load
+
+    chosen = load(aircraft)
+    ready = chosen.at(condition, variant)
+    if json:
+        print_json(_picture(chosen) | _numbers(ready) | {"sources": dict(chosen.sources)})
+        return
+    page = screen()
+    page.print(f"{chosen.name} ({chosen.id})", style="bold")
+    page.print(chosen.summary)
+    page.print(f"Also called {', '.join(chosen.aliases)}\n" if chosen.aliases else "")
+    page.print(_named((f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in chosen.conditions))
+    page.print(_number_table(ready))
+    page.print("Corrections", style="bold")
+    page.print(_named(_corrections(ready)))
+    page.print("ASSUMED: no source gives these", style="bold yellow")
+    page.print(
+        _named((name, f"{a['value']:,.10g} {a['unit']}: {a['reason']}") for name, a in ready.assumed.items()),
+    )
+    page.print("Notes", style="bold")
+    page.print(_named(_notes(ready)))
+    page.print("Sources", style="bold")
+    page.print(_named(chosen.sources.items()))
+
+
+def _picture(aircraft: "Aircraft") -> dict[str, Any]:
+    """What an aircraft is, for other programs. Altitudes in m."""
+    return {
+        "id": aircraft.id,
+        "name": aircraft.name,
+        "summary": aircraft.summary,
+        "aliases": list(aircraft.aliases),
+        "conditions": [asdict(c) for c in aircraft.conditions],
+        "source": aircraft.source,
+    }
+
+
+def _numbers(ready: "FlightCondition") -> dict[str, Any]:
+    """All numbers of a flight condition and where they are from."""
+    return {
+        "condition": ready.condition,
+        "variant": ready.variant,
+        "numbers": {name: asdict(p) for name, p in ready.provenance.items()},
+        "assumed": {name: dict(a) for name, a in ready.assumed.items()},
+        "notes": list(ready.notes),
+    }
+
+
+def _number_table(ready: "FlightCondition") -> "Table":
+    """Numbers in the units of their source. What this variant does not use is dim."""
+    from rich.text import Text
+
+    drawn = table(
+        "number",
+        "printed",
+        "corrected",
+        "unit",
+        "confidence",
+        "SI",
+        "",
+        title=f"\n{ready.condition}, {ready.variant} values",
+    )
+    for k in (3, 4, 6):
+        drawn.columns[k].justify = "left"
+    corrected = ready.variant == "corrected"
+    for name, p in ready.provenance.items():
+        mended = p.corrected is not None
+        printed = Text(f"{p.printed:,.10g}", "dim" if mended and corrected else "")
+        by = Text("" if p.corrected is None else f"{p.corrected:,.10g}", "bold" if corrected else "dim")
+        drawn.add_row(name, printed, by, _shown(p.unit), p.confidence or "", number(p.value), _shown(p.si_unit))
+    return drawn
+
+
+def _shown(unit: str) -> str:
+    return "" if unit == "1" else unit
+
+
+def _corrections(ready: "FlightCondition") -> "Iterable[tuple[str, str]]":
+    """Which numbers are corrected, and why; one reason may be that of several."""
+    why: dict[str, list[str]] = {}
+    for name, p in ready.provenance.items():
+        if p.corrected is not None:
+            reason = f"{str(p.reason).rstrip('.')}.{' Presumed: no source has it.' if p.unverified else ''}"
+            why.setdefault(reason, []).append(name)
+    for reason, names in why.items():
+        yield ", ".join(names), reason
+
+
+def _notes(ready: "FlightCondition") -> "Iterable[tuple[str, str]]":
+    for text in ready.notes:
+        yield "", text
+    for name, p in ready.provenance.items():
+        if p.note:
+            yield name, p.note
+
+
+def _named(rows: "Iterable[tuple[str, str]]") -> "Table":
+    """Names, and what is to be said of them."""
+    from rich.table import Table
+
+    drawn = Table.grid(padding=(0, 2))
+    drawn.add_column(no_wrap=True)
+    for name, said in rows:
+        drawn.add_row(name, said)
+    drawn.add_row()
+    return drawn

@@ -1,0 +1,90 @@
+"""`fdes derivatives`: dimensional derivatives, and the matrices A and B that are made of them."""
+
+from typing import TYPE_CHECKING, Any
+
+from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, VariantName, form_of_equations
+from fdes.cli.output import number, print_json, screen, table
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from fdes.control import LinearModel
+    from fdes.physics.derivatives import Dimensional
+
+ASSUMED = "*"  # marks what rests on a number that no source gives
+
+
+def derivatives(
+    aircraft: AircraftName,
+    condition: ConditionName = None,
+    form: FormName = "full",
+    variant: VariantName = "corrected",
+    json: AsJson = False,
+) -> None:
+    """Dimensional derivatives, A and B, in SI."""
+    from fdes.aircraft import load
+    from fdes.analysis import linear_model
+    from fdes.physics.derivatives import dimensional
+
+    wanted = form_of_equations(form)
+    ready = load(aircraft).at(condition, variant)
+    model = linear_model(ready, wanted)
+    named = dimensional(ready.coefficients, ready.reference, wanted)
+    if json:
+        print_json(
+            {
+                "aircraft": ready.aircraft_id,
+                "condition": ready.condition,
+                "form": form,
+                "variant": ready.variant,
+                "units": "SI",
+                "longitudinal": _as_lists(model.longitudinal()),
+                "lateral": _as_lists(model.lateral()),
+                "dimensional": {
+                    name: {"value": value, "unit": unit} for name, (value, unit) in _with_units(named).items()
+                },
+            }
+        )
+        return
+    show = screen()
+    show.print(f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}, SI\n")
+    show.print(_dimensional_table(named))
+    show.print(_matrix_table("Longitudinal: rows are rates of change", model.longitudinal()))
+    show.print(_matrix_table("Lateral: rows are rates of change", model.lateral()))
+    thrust = ready.assumed["max_thrust"]
+    show.print(f"{ASSUMED} rests on an ASSUMED thrust of {thrust['value']:,g} {thrust['unit']}: {thrust['reason']}")
+
+
+def _as_lists(part: "LinearModel") -> dict[str, Any]:
+    return {"states": list(part.states), "inputs": list(part.inputs), "A": part.A.tolist(), "B": part.B.tolist()}
+
+
+def _with_units(named: "Dimensional") -> dict[str, tuple[float, str]]:
+    """Each derivative with its unit."""
+    from fdes.physics.signals import channels
+
+    return {c.name: (value, c.unit) for c, value in zip(channels(type(named)), named, strict=True)}
+
+
+def _dimensional_table(named: "Dimensional") -> "Table":
+    """Longitudinal derivatives beside the lateral ones."""
+    drawn = table("longitudinal", "", "unit", "  lateral", "", "unit", title="Dimensional derivatives")
+    for k in (2, 3, 5):
+        drawn.columns[k].justify = "left"
+    cells = [
+        (name + ASSUMED * (name == "X_dT"), number(value), unit) for name, (value, unit) in _with_units(named).items()
+    ]
+    first = next(k for k, name in enumerate(named._fields) if name.startswith("Y"))
+    left, right = cells[:first], cells[first:]
+    for (name, value, unit), (other, its_value, its_unit) in zip(left, [*right, *[("", "", "")] * 2], strict=False):
+        drawn.add_row(name, value, unit, f"  {other}", its_value, its_unit)
+    return drawn
+
+
+def _matrix_table(title: str, part: "LinearModel") -> "Table":
+    """A and B side by side."""
+    heads = [f"{name}{ASSUMED * (name == 'throttle')}\n[{part.units[name]}]" for name in (*part.states, *part.inputs)]
+    drawn = table("", *heads, title=title)
+    for name, a, b in zip(part.states, part.A, part.B, strict=True):
+        drawn.add_row(f"{name}_dot", *map(number, a), *map(number, b))
+    return drawn

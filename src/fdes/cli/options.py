@@ -1,0 +1,41 @@
+"""What several commands ask for, declared once."""
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fdes.errors import NoSuchPart
+
+if TYPE_CHECKING:
+    from fdes.physics.derivatives import Form
+
+AircraftName = Annotated[
+    str, typer.Argument(metavar="AIRCRAFT", help="A name, as `fdes aircraft` lists them, or the path of a TOML file.")
+]
+ConditionName = Annotated[
+    str | None, typer.Option("--condition", "-c", metavar="ID", help="The flight condition; else the aircraft's first.")
+]
+VariantName = Annotated[
+    str, typer.Option(metavar="corrected|printed", help="Mend what is known to be misprinted, or take it as printed.")
+]
+FormName = Annotated[
+    str,
+    typer.Option(
+        metavar="paper|nelson|full",
+        help="The linear equations: Mansor and Perumal's, Nelson's, or with nothing neglected.",
+    ),
+]
+IntegratorName = Annotated[str, typer.Option(metavar="NAME", help="exact, rk4, dopri5, kutta_merson, heun or euler.")]
+FLAG = ""  # a switch takes no value; Typer would show one
+
+AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
+
+
+def form_of_equations(form: str) -> "Form":
+    """The form by that name. Raises NoSuchPart with the nearest name."""
+    from fdes.physics.derivatives import FORMS
+
+    for known in FORMS:
+        if form == known:
+            return known
+    raise NoSuchPart("form of the linear equations", form, FORMS)

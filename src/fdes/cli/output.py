@@ -1,0 +1,74 @@
+"""What the command line prints: results on stdout; notes, progress and mistakes on stderr.
+
+Rich is imported when something is drawn, so that `fdes --version` and `--json` never wait for it.
+"""
+
+import json
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+
+def screen() -> "Console":
+    """Where results go: 80 columns, or as wide as the terminal is."""
+    from rich.console import Console
+
+    return Console(highlight=False, emoji=False, markup=False)
+
+
+def aside() -> "Console":
+    """Where goes what is not the result."""
+    from rich.console import Console
+
+    return Console(stderr=True, highlight=False, emoji=False, markup=False)
+
+
+def print_json(data: Any) -> None:
+    """Print for other programs."""
+    print(json.dumps(data, indent=2, allow_nan=False))
+
+
+def complain(text: str) -> None:
+    """Tell a mistake."""
+    _aside("Error: ", "bold red", text)
+
+
+def note(text: str) -> None:
+    """Tell what whoever uses the result should know."""
+    _aside("Note: ", "bold yellow", text)
+
+
+def _aside(label: str, style: str, text: str) -> None:
+    from rich.text import Text
+
+    aside().print(Text.assemble((label, style), text), soft_wrap=True)
+
+
+def table(*columns: str, title: str | None = None) -> "Table":
+    """A table without frames. Its first column holds names and may be broken, the others hold numbers."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    drawn = Table(title=title, title_justify="left", title_style="bold", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for k, column in enumerate(columns):
+        drawn.add_column(column, justify="right" if k else "left", no_wrap=k > 0)
+    return drawn
+
+
+def number(value: float | None, digits: int = 4) -> str:
+    """A number as a table shows it: so many digits, or all of a large one's; nothing for None."""
+    if value is None:
+        return ""
+    if value == 0.0:
+        return "0"
+    return f"{value:,.0f}" if 10.0**digits <= abs(value) < 1e7 else f"{value:#.{digits}g}".rstrip(".")
+
+
+def use_any_encoding() -> None:
+    """Let a terminal that cannot show a character show another in its place."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
