@@ -1,5 +1,6 @@
 """What is wrong with an aircraft file, in sentences that a reader of the file understands."""
 
+from reprlib import repr as repr_short
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
@@ -15,12 +16,13 @@ SENTENCES = {
     "value_error": "{error}",
     "finite_number": "is {input}; it must be a finite number",
     "greater_than": "is {input}; it must be greater than {gt:g}",
-    "literal_error": "is {input!r}; it must be {expected}",
+    "literal_error": "is {input}; it must be {expected}",
     "string_too_short": "is empty",
-    "too_short": "is empty; it needs at least one",
-    "float_type": "is {input!r}; it must be a number",
-    "string_type": "is {input!r}; it must be text in quotes",
-    "bool_type": "is {input!r}; it must be true or false",
+    "float_type": "is {input}; it must be a number",
+    "string_type": "is {input}; it must be text in quotes",
+    "bool_type": "is {input}; it must be true or false",
+    "dict_type": "is {input}; it must be a table",
+    "tuple_type": "is {input}; it must be a list, or tables under [[double brackets]]",
 }
 
 
@@ -50,12 +52,14 @@ def _sentence(error: dict[str, Any]) -> str:
         known = _known_keys(error["loc"][:-1])
         near = nearest(str(error["loc"][-1]), known)
         return "is not a known key. " + (f"Did you mean {near!r}?" if near else f"Known here: {', '.join(known)}.")
+    given = repr_short(error["input"])
     if error["type"] == "model_type":
         number = "printed" in known
         wanted = "a number or a table such as { printed = 0.5 }" if number else f"a table of {', '.join(known)}"
-        return f"is {error['input']!r}; it must be {wanted}."
-    sentence = SENTENCES.get(error["type"], "is {input!r}: {msg}")
-    return sentence.format(input=error["input"], msg=error["msg"], **error.get("ctx", {})) + "."
+        return f"is {given}; it must be {wanted}."
+    sentence = SENTENCES.get(error["type"], "is {input}: {msg}")
+    words = sentence.format(input=given, msg=error["msg"], **error.get("ctx", {}))
+    return words if words.endswith("?") else f"{words}."
 
 
 def _known_keys(loc: tuple[int | str, ...]) -> list[str]:

@@ -71,7 +71,10 @@ class FlightCondition:
 def flight_condition(
     file: AircraftFile, condition: Condition, variant: Variant, document: Mapping[str, Any]
 ) -> FlightCondition:
-    """Make one condition of a file ready. Raises AircraftFileError where its numbers do not go together."""
+    """Make one condition of a file ready.
+
+    Raises AircraftFileError where its numbers do not go together, SpecError for a height without a standard atmosphere.
+    """
     numbers = _numbers(file, condition, variant)
     reverse = file.aileron_sense == "positive rolls left"
     sign = dict.fromkeys(AILERON, -1.0) if reverse else {}
@@ -169,21 +172,20 @@ def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Prov
 
 def _check(ready: FlightCondition, drag: float) -> None:
     """What no single number shows."""
-    where = f"condition {ready.condition!r}, {ready.variant} values"
     ref = ready.reference
     if ref.Ix * ref.Iz <= ref.Ixz**2:
         raise AircraftFileError(
-            f"{where}: Ix, Iz and Ixz are {ref.Ix:,.0f}, {ref.Iz:,.0f} and {ref.Ixz:,.0f} kg m^2; no body has such "
+            f"Ix, Iz and Ixz are {ref.Ix:,.0f}, {ref.Iz:,.0f} and {ref.Ixz:,.0f} kg m^2; no body has such "
             "inertias. Ixz squared must be less than Ix times Iz."
         )
     if ready.coefficients.Cl_da <= 0.0:
         raise AircraftFileError(
-            f"{where}: Cl_da is {ready.coefficients.Cl_da:g} 1/rad by the file's aileron_sense, but positive aileron "
+            f"Cl_da is {ready.coefficients.Cl_da:g} 1/rad by the file's aileron_sense, but positive aileron "
             'must roll right. Where the source prints Cl_da < 0, say aileron_sense = "positive rolls left".'
         )
     if ready.trim_throttle > 1.0:
         raise AircraftFileError(
-            f"{where}: level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
+            f"level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
             "Check CD, the altitude and the units, or assume more thrust."
         )
     for name, held, low, high in zip(
@@ -191,6 +193,6 @@ def _check(ready: FlightCondition, drag: float) -> None:
     ):
         if not low <= held <= high:
             raise AircraftFileError(
-                f"{where}: full stick moves the {name} to {held / DEG:g} deg, beyond its limits of {low / DEG:g} and "
+                f"full stick moves the {name} to {held / DEG:g} deg, beyond its limits of {low / DEG:g} and "
                 f"{high / DEG:g} deg. Assume less stick or more travel."
             )

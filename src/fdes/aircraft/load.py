@@ -15,7 +15,7 @@ from pydantic import ValidationError
 from fdes.aircraft.explain import explain
 from fdes.aircraft.flight_condition import FlightCondition, flight_condition
 from fdes.aircraft.schema import CONFIDENCES, VARIANTS, AircraftFile, Confidence, Derivatives, Variant
-from fdes.errors import AircraftFileError, NoSuchPart, nearest
+from fdes.errors import AircraftFileError, FdesError, NoSuchPart, nearest
 
 HANGAR = files("fdes.aircraft") / "hangar"
 PAPER = ("A-4D", "F-104A", "NAVION", "Convair880", "B747", "JetStar")  # in the order of Mansor and Perumal's list
@@ -108,10 +108,14 @@ def parse(document: Mapping[str, Any], where: str) -> Aircraft:
         file = AircraftFile.model_validate(plain)
     except ValidationError as error:
         raise AircraftFileError(f"{where} cannot be used:\n{explain(error, plain)}") from None
-    try:
-        ready = {(c.id, v): flight_condition(file, c, v, plain) for c in file.conditions for v in VARIANTS}
-    except AircraftFileError as error:
-        raise AircraftFileError(f"{where} cannot be used:\n  {error}") from None
+    ready: dict[tuple[str, Variant], FlightCondition] = {}
+    for condition in file.conditions:
+        for variant in VARIANTS:
+            try:
+                ready[condition.id, variant] = flight_condition(file, condition, variant, plain)
+            except FdesError as error:
+                place = f"condition {condition.id!r}, {variant} values"
+                raise AircraftFileError(f"{where} cannot be used:\n  {place}: {error}") from None
     return Aircraft(
         id=file.id,
         name=file.name,

@@ -238,10 +238,12 @@ class AircraftFile(Part):
     geometry: Geometry
     mass: MassProperties
     assumed: Assumed = Field(default_factory=Assumed)
-    conditions: tuple[Condition, ...] = Field(min_length=1, strict=False)
+    conditions: tuple[Condition, ...] = Field(strict=False)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
+        if not self.conditions:
+            raise ValueError("there is no flight condition: give at least one, under [[conditions]]")
         ids = [c.id for c in self.conditions]
         twice = sorted({i for i in ids if ids.count(i) > 1})
         if twice:

@@ -1,6 +1,6 @@
 """A frequency sweep: a sine whose frequency grows exponentially, so that every octave gets the same time.
 
-Reference: M. B. Tischler, R. K. Remple, Aircraft and Rotorcraft System Identification, 2nd ed., AIAA 2012, section 5.11.
+Reference: M. B. Tischler, R. K. Remple, Aircraft and Rotorcraft System Identification, 2nd ed., AIAA, section 5.11.
 """
 
 from dataclasses import dataclass
