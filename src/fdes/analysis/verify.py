@@ -3,13 +3,14 @@
 The tests and ``fdes verify`` read the same list, so nothing is verified for show.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from fdes.aircraft import load
+from fdes.analysis.approximations import Approximation, approximate_modes
 from fdes.analysis.linearize import INPUTS, STATES, linear_model
 from fdes.analysis.modes import Mode, modes
 from fdes.control import LinearModel
@@ -59,6 +60,8 @@ def _of_source(source: Source) -> Iterator[Check]:
         yield from _matrix(item, source)
     for item in source.get("derivative_modes", []):
         yield from _modes(item, modes(_model_of_derivatives(item)), source)
+    for item in source.get("approximations", []):
+        yield from _modes(item, approximate_modes(_condition(item), form=item["form"]), source)
     for item in source.get("atmosphere", []):
         yield from _atmosphere(item, source)
 
@@ -68,7 +71,7 @@ def _condition(item: Source) -> Any:
     return replace(condition, coefficients=condition.coefficients._replace(**item.get("with", {})))
 
 
-def _modes(item: Source, found: list[Mode], source: Source) -> Iterator[Check]:
+def _modes(item: Source, found: Sequence[Mode | Approximation], source: Source) -> Iterator[Check]:
     by_name = {mode.name: mode for mode in found}
     for name, values in item["published"].items():
         ours = _figures(by_name[name]) if name in by_name else {}
@@ -90,8 +93,9 @@ def _modes(item: Source, found: list[Mode], source: Source) -> Iterator[Check]:
             )
 
 
-def _figures(mode: Mode) -> dict[str, float]:
-    return {"real": mode.eigenvalue.real, "imag": mode.eigenvalue.imag, "zeta": mode.zeta, "omega_n": mode.omega_n}
+def _figures(mode: Mode | Approximation) -> dict[str, float]:
+    value = mode.eigenvalue
+    return {"real": value.real, "imag": value.imag, "zeta": -value.real / abs(value), "omega_n": abs(value)}
 
 
 def _matrix(item: Source, source: Source) -> Iterator[Check]:
