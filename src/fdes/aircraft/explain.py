@@ -52,7 +52,7 @@ def _sentence(error: dict[str, Any]) -> str:
         known = _known_keys(error["loc"][:-1])
         near = nearest(str(error["loc"][-1]), known)
         return "is not a known key. " + (f"Did you mean {near!r}?" if near else f"Known here: {', '.join(known)}.")
-    given = repr_short(error["input"])
+    given = "a table" if isinstance(error["input"], dict) else repr_short(error["input"])
     if error["type"] == "model_type":
         number = "printed" in known
         wanted = "a number or a table such as { printed = 0.5 }" if number else f"a table of {', '.join(known)}"

@@ -183,7 +183,7 @@ def _check(ready: FlightCondition, drag: float) -> None:
             f"Cl_da is {ready.coefficients.Cl_da:g} 1/rad by the file's aileron_sense, but positive aileron "
             'must roll right. Where the source prints Cl_da < 0, say aileron_sense = "positive rolls left".'
         )
-    if ready.trim_throttle > 1.0:
+    if not 0.0 <= ready.trim_throttle <= 1.0:
         raise AircraftFileError(
             f"level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
             "Check CD, the altitude and the units, or assume more thrust."

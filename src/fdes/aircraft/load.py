@@ -160,8 +160,10 @@ def _beside(path: Traversable) -> str:
     folder = Path(str(path)).parent
     if not folder.is_dir():
         return f"Nor is there a folder {folder}."
-    found = nearest(path.name, [f.name for f in folder.glob("*.toml")])
-    return f"Did you mean {found!r}?" if found else "An aircraft of the hangar goes by its name alone, such as A-4D."
+    found = nearest(path.name.removesuffix(".toml"), [f.stem for f in folder.glob("*.toml")])
+    return (
+        f"Did you mean '{found}.toml'?" if found else "An aircraft of the hangar goes by its name alone, such as A-4D."
+    )
 
 
 def _confidence(derivatives: Derivatives) -> Confidence | None:

@@ -251,8 +251,8 @@ class AircraftFile(Part):
         for key in _cited(self):
             if key not in self.sources:
                 near = nearest(key, self.sources)
-                hint = f" Did you mean {near!r}?" if near else ""
-                raise ValueError(f"source {key!r} is cited, but not listed under [sources].{hint}")
+                hint = f". Did you mean {near!r}?" if near else ""
+                raise ValueError(f"source {key!r} is cited, but not listed under [sources]{hint}")
         for condition in self.conditions:
             for name, number in condition.consistent_mass or ():
                 if isinstance(number, Number) and number.unit != getattr(self.mass, name).unit:
