@@ -124,7 +124,7 @@ def parse(document: Mapping[str, Any], where: str) -> Aircraft:
         source=file.sources[file.conditions[0].source],
         sources=file.sources,
         conditions=tuple(
-            Condition(c.id, c.name, c.mach, c.altitude.si("printed"), _confidence(c.derivatives), c.notes)
+            Condition(c.id, c.name, c.mach, c.altitude.si("corrected"), _confidence(c.derivatives), c.notes)
             for c in file.conditions
         ),
         document=plain,
