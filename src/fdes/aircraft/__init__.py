@@ -1,7 +1,7 @@
 """Aircraft as data: one file each, in the units of its source, with what was corrected, why, and what is only assumed.
 
-`schema` is what a file may say, `load` finds and reads one, `explain` says what is wrong with it, and `flight_condition`
-is what comes out: numbers in SI, ready to fly. The aircraft themselves are in `hangar`: lay one beside the book.
+`schema` is what a file may say, `load` finds and reads one, `explain` says what is wrong with it, `flight_condition` is
+what comes out: numbers in SI, ready to fly. The aircraft themselves are in `hangar`: lay one beside the book.
 """
 
 from fdes.aircraft.flight_condition import FlightCondition, Provenance
