@@ -64,12 +64,63 @@ def test_doublet_has_no_mean() -> None:
         ("doublet elevator 5deg for -1s", SpecError, "it must last longer than 0 s"),
         ("step elevator 5deg at", SpecError, "does not say its value after 'at'"),
         ("step elevator 5deg for 2s", SpecError, "says 'for', which a step does not have. It knows: at."),
+        ("step elevator 5deg at 0s for 2s", SpecError, "says 'for', which a step does not have. It knows: at."),
+        ("doublet elevator 5deg 2s", SpecError, "says '2s', which a doublet does not have. It knows: at, for."),
+        (
+            "sine elevator 5deg perod 2s",
+            SpecError,
+            "says 'perod', which a sine does not have. It knows: at, period, for.",
+        ),
+        ("sine elevator 5deg period 0s", SpecError, "says period 0s; it must last longer than 0 s."),
+        ("step elevator 5deg at 1s from 2s", SpecError, "says 'at' twice."),
+        ("step elevator at 1s", SpecError, "does not say its value after 'elevator'."),
+        ("step aileron 15", SpecError, "does not say the unit of 15. Write 15deg, or 15rad."),
+        ("step aileron 15 at 0s", SpecError, "does not say the unit of 15. Write 15deg, or 15rad."),
+        (
+            "step aileron 15degs",
+            SpecError,
+            "The input 'step aileron 15degs' cannot be read. Unknown unit 'degs'. Did you",
+        ),
+        ("step aileron nan deg", SpecError, "cannot be read. 'nan deg' is not a number with a unit."),
+        ("step aileron nan", SpecError, "cannot be read. 'nan' is not a number with a unit."),
+        ("step aileron 1e400deg", SpecError, "cannot be read. '1e400deg' is not a finite number."),
+        (
+            "step aileron 1deg at 2m",
+            SpecError,
+            "'2m' is in m, which is not a unit of this quantity. Use one of: s, ms, min",
+        ),
     ],
 )
 def test_says_what_is_wrong_with_an_input(text: str, error: type[Exception], words: str) -> None:
     with pytest.raises(error) as found:
         Excitation.parse([text])
     assert words in str(found.value)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "step aileron 15deg at 0.5s",
+        "Step Aileron 15 deg at 0.5 s",
+        "step aileron +15deg FROM 500 ms",
+        "step aileron 15deg at .5",
+    ],
+)
+def test_one_input_can_be_said_in_several_ways(text: str) -> None:
+    assert Excitation.parse([text]) == Excitation.parse(["step aileron 15deg at 0.5s"])
+
+
+@pytest.mark.parametrize("kind", ["3-2-1-1", "3211", "three_two_one_one"])
+def test_3211_goes_by_its_usual_name(kind: str) -> None:
+    assert Excitation.parse([f"{kind} elevator 1deg for 7s"])(6.5).elevator < 0.0
+
+
+@pytest.mark.parametrize(("at", "lasting"), [(0.1, 0.4), (0.7, 0.2), (0.3, 0.6), (1.1, 2.2), (2.3, 1.4)])
+def test_halves_are_equal_though_decimals_are_not_exact(at: float, lasting: float) -> None:
+    put = shelf("inputs").get("doublet")(1.0, at, lasting)
+    assert sum(put(t) for t in TIMES) == 0.0
+    put = shelf("inputs").get("three_two_one_one")(1.0, at, 3.5 * lasting)
+    assert sum(put(t) for t in TIMES) == sum(abs(put(t)) for t in TIMES) / 7.0
 
 
 def test_inputs_add_up() -> None:

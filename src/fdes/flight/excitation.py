@@ -7,15 +7,16 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from typing import Any, get_type_hints
+from typing import get_type_hints
 
 from fdes.errors import NoSuchPart, SpecError
 from fdes.physics.signals import Surfaces, channels
 from fdes.shelf import shelf
 from fdes.units import parse
 
-# What people say, and the field of the shape that it means.
-_WORDS = {"from": "at", "for": "lasting"}
+# What people say, and the name of what they mean; and what to call it when speaking to them.
+_MEANT = {"from": "at", "for": "lasting", "3-2-1-1": "three_two_one_one", "3211": "three_two_one_one"}
+_SAID = {"lasting": "for"}
 
 
 @dataclass(frozen=True)
@@ -42,35 +43,63 @@ def _parse_one(text: str) -> tuple[str, Callable[[float], float]]:
     if len(words) < 3:
         raise SpecError(f"The input {text!r} is incomplete. Write it like 'step aileron 15deg at 0s'.")
     kind, channel, *rest = words
-    shape = shelf("inputs").get(kind.lower())
+    shape = shelf("inputs").get(_meant(kind))
     unit = {c.name: c.unit for c in channels(Surfaces)}
+    channel = channel.lower()
     if channel not in unit:
         raise NoSuchPart("input channel", channel, unit)
-    keys = [f.name for f in fields(shape)][1:]
+    amplitude, *keys = [f.name for f in fields(shape)]
     hints = get_type_hints(shape, include_extras=True)
-    amplitude, *named = _split_at_keywords(rest, keys)
-    stranger = next((w for w in amplitude[1].split()[1:] if w in {*_WORDS, *_WORDS.values()}), None)
-    if stranger:
-        raise SpecError(
-            f"The input {text!r} says {stranger!r}, which a {kind} does not have. It knows: {', '.join(keys)}."
-        )
-    values: dict[str, Any] = {}
-    for key, said in named:
+    units = {amplitude: unit[channel]} | {key: hints[key].__metadata__[0] for key in keys}
+    values: dict[str, float] = {}
+    for key, said in _split_at_keywords(rest, amplitude, keys):
+        name = channel if key == amplitude else _SAID.get(key, key)
         if not said:
-            raise SpecError(f"The input {text!r} does not say its value after {key!r}.")
-        values[key] = parse(said, hints[key].__metadata__[0])
-        if key != "at" and values[key] <= 0.0:
-            raise SpecError(f"The input {text!r} lasts {said}; it must last longer than 0 s.")
-    return channel, shape(parse(amplitude[1], unit[channel]), **values)
+            raise SpecError(f"The input {text!r} does not say its value after {name!r}.")
+        if key in values:
+            raise SpecError(f"The input {text!r} says {name!r} twice.")
+        strangers = said[2:] if _is_number(said[0]) else said[1:]  # "15 deg" is two words, "15deg" is one
+        if strangers:
+            known = ", ".join(_SAID.get(k, k) for k in keys)
+            raise SpecError(
+                f"The input {text!r} says {strangers[0]!r}, which a {kind} does not have. It knows: {known}."
+            )
+        values[key] = _quantity(text, " ".join(said), units[key])
+        if key not in {amplitude, "at"} and values[key] <= 0.0:
+            raise SpecError(f"The input {text!r} says {name} {' '.join(said)}; it must last longer than 0 s.")
+    return channel, shape(**values)
 
 
-def _split_at_keywords(words: list[str], keys: list[str]) -> list[tuple[str, str]]:
-    """["15deg", "at", "1", "s"] -> [("", "15deg"), ("at", "1 s")]."""
-    parts: list[tuple[str, list[str]]] = [("", [])]
+def _split_at_keywords(words: list[str], amplitude: str, keys: list[str]) -> list[tuple[str, list[str]]]:
+    """["15deg", "at", "1", "s"] -> [("amplitude", ["15deg"]), ("at", ["1", "s"])]."""
+    parts: list[tuple[str, list[str]]] = [(amplitude, [])]
     for word in words:
-        key = _WORDS.get(word, word)
+        key = _meant(word)
         if key in keys:
             parts.append((key, []))
         else:
             parts[-1][1].append(word)
-    return [(key, " ".join(said)) for key, said in parts]
+    return parts
+
+
+def _quantity(text: str, said: str, unit: str) -> float:
+    """What is said, in SI. An angle must have its unit: who writes 15 means degrees, not 15 rad."""
+    try:
+        value = parse(said, unit)
+    except SpecError as trouble:
+        raise SpecError(f"The input {text!r} cannot be read. {trouble}") from trouble
+    if unit == "rad" and _is_number(said):
+        raise SpecError(f"The input {text!r} does not say the unit of {said}. Write {said}deg, or {said}rad.")
+    return value
+
+
+def _meant(word: str) -> str:
+    return _MEANT.get(word.lower(), word.lower())
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

@@ -16,7 +16,8 @@ class Doublet:
 
     def __call__(self, t: float) -> float:
         """The value at `t` [s]."""
-        middle = self.at + 0.5 * self.lasting
+        # Rounded, so that an edge that is meant for a frame falls on it: 0.1 + 0.2 > 0.3 in floating point.
+        middle, end = round(self.at + 0.5 * self.lasting, 9), round(self.at + self.lasting, 9)
         if self.at <= t < middle:
             return self.amplitude
-        return -self.amplitude if middle <= t < self.at + self.lasting else 0.0
+        return -self.amplitude if middle <= t < end else 0.0

@@ -16,4 +16,5 @@ class Pulse:
 
     def __call__(self, t: float) -> float:
         """The value at `t` [s]."""
-        return self.amplitude if self.at <= t < self.at + self.lasting else 0.0
+        # Rounded, so that an edge that is meant for a frame falls on it: 0.1 + 0.2 > 0.3 in floating point.
+        return self.amplitude if self.at <= t < round(self.at + self.lasting, 9) else 0.0

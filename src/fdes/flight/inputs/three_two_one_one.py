@@ -19,7 +19,8 @@ class ThreeTwoOneOne:
 
     def __call__(self, t: float) -> float:
         """The value at `t` [s]."""
-        units = 7.0 * (t - self.at) / self.lasting
+        # Rounded, so that an edge that is meant for a frame falls on it: 0.1 + 0.2 > 0.3 in floating point.
+        units = round(7.0 * (t - self.at) / self.lasting, 9)
         if not 0.0 <= units < 7.0:
             return 0.0
         return self.amplitude if units < 3.0 or 5.0 <= units < 6.0 else -self.amplitude
