@@ -11,7 +11,7 @@ from fdes.control.laws.direct import Direct
 from fdes.errors import Departed, SpecError
 from fdes.flight import Clock, Edit, Excitation, Frame, HandsOff, SameStick, Setup, SteadyAir, fly, plant_of
 from fdes.physics.signals import Air
-from fdes.physics.small_perturbation import PerturbationState
+from fdes.physics.small_perturbation import PerturbationState, SmallPerturbation
 
 DT = 1 / 120
 
