@@ -19,6 +19,7 @@ from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
 from fdes.cli.simulate import simulate
+from fdes.cli.verify import app as verify
 from fdes.errors import FdesError
 
 __all__ = ["app", "main"]
@@ -54,6 +55,7 @@ app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
 )(simulate)
 app.add_typer(aircraft, name="aircraft")
+app.add_typer(verify, name="verify")
 
 
 def _version(wanted: bool) -> None:

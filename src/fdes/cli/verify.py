@@ -1,0 +1,78 @@
+"""`fdes verify`: published numbers beside computed ones."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fdes.cli.options import AsJson
+from fdes.cli.output import number, print_json, screen, table
+from fdes.errors import SpecError
+
+if TYPE_CHECKING:
+    from fdes.analysis.verify import Check
+
+app = typer.Typer(no_args_is_help=True, help="Hold what FDES computes against what is published.")
+
+
+@app.command(epilog="Example: fdes verify textbooks")
+def textbooks(
+    sources: Annotated[
+        Path | None, typer.Option("--sources", metavar="FOLDER", help="Your own source files; else those of FDES.")
+    ] = None,
+    json: AsJson = False,
+) -> None:
+    """Every number of every source, with the error achieved. Exits with 1 if one is out of its tolerance."""
+    from fdes.analysis.verify import checks
+    from fdes.sources import sources as published
+
+    if sources is not None and not sources.is_dir():
+        raise SpecError(f"{sources} is no folder. Name a folder of source files such as those in fdes/sources.")
+    found = checks(published(sources))
+    if not found:
+        raise SpecError(f"There is nothing to verify in {sources}: no source file there holds a published number.")
+    failed = [check for check in found if not check.passed]
+    if json:
+        print_json(
+            {"checks": [_as_json(check) for check in found], "passed": len(found) - len(failed), "failed": len(failed)}
+        )
+    else:
+        _show(found)
+        screen().print(f"{len(found)} checks: {len(found) - len(failed)} passed, {len(failed)} failed")
+    if failed:
+        raise typer.Exit(1)
+
+
+def _as_json(check: "Check") -> dict[str, str | float | bool | None]:
+    finite = check.computed == check.computed  # a mode that was not found is not a number, which JSON cannot say
+    return {
+        "item": check.item,
+        "quantity": check.quantity,
+        "published": check.published,
+        "computed": check.computed if finite else None,
+        "error": check.error if finite else None,
+        "tolerance": check.tolerance,
+        "passed": check.passed,
+        "citation": check.citation,
+        "where": check.where,
+    }
+
+
+def _show(found: "list[Check]") -> None:
+    """One table per item, headed by where its numbers stand."""
+    for item in dict.fromkeys(check.item for check in found):
+        of_item = [check for check in found if check.item == item]
+        screen().print(f"\n[{item}] {of_item[0].citation}, {of_item[0].where}", style="bold")
+        drawn = table("quantity", "published", "computed", "error", "allowed", "")
+        for check in of_item:
+            percent = check.published != 0.0
+            drawn.add_row(
+                check.quantity,
+                number(check.published),
+                number(check.computed, 5),
+                f"{100.0 * check.error:.2g} %" if percent else f"{check.error:.2g}",
+                f"{100.0 * check.tolerance:.2g} %" if percent else f"{check.floor:.2g}",
+                "ok" if check.passed else "FAILED",
+                style=None if check.passed else "red",
+            )
+        screen().print(drawn)
