@@ -69,12 +69,17 @@ def find_chromium() -> str | None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> Iterator[None]:
-    """Mark the cockpit's tests before -m looks at marks; then leave out what cannot run here."""
+    """Mark the cockpit's tests before -m looks at marks; then leave out what cannot run here.
+
+    Browser tests come last: quick evidence first, and Playwright leaves an event loop running in the thread that it was
+    started in, where `asyncio.run` of another test would fail.
+    """
     for item in items:
         if "cockpit" in item.path.parent.parts[-1:]:
             item.add_marker("cockpit")
         if "browser" in item.fixturenames:
             item.add_marker("cockpit_browser")
+    items.sort(key=lambda item: "browser" in item.fixturenames)
     yield
     if IN_CI or find_chromium():
         return
