@@ -75,7 +75,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> It
     started in, where `asyncio.run` of another test would fail.
     """
     for item in items:
-        if "cockpit" in item.path.parent.parts[-1:]:
+        if item.path.parent.name == "cockpit":
             item.add_marker("cockpit")
         if "browser" in item.fixturenames:
             item.add_marker("cockpit_browser")

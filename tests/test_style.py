@@ -1,5 +1,6 @@
 """Lint, format, types and imports, so that one command checks all."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -13,5 +14,8 @@ TOOLS = Path(sys.executable).parent
 @pytest.mark.parametrize("command", ["ruff check", "ruff format --check", "mypy", "lint-imports"])
 def test_style(command: str) -> None:
     tool, *options = command.split()
-    run = subprocess.run([TOOLS / tool, *options], cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    environment = os.environ | {"PYTHONUTF8": "1"}  # import-linter draws boxes, which other encodings lack
+    run = subprocess.run(
+        [TOOLS / tool, *options], cwd=ROOT, env=environment, capture_output=True, encoding="utf-8", check=False
+    )
     assert run.returncode == 0, run.stdout + run.stderr
