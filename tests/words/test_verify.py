@@ -1,12 +1,16 @@
 """`fdes verify`: the errors achieved are printed, and one wrong number is seen."""
 
+import copy
 import json
 from importlib.resources import files
 from pathlib import Path
 
+import pytest
 from typer.testing import CliRunner
 
+from fdes.analysis import paper
 from fdes.cli import app
+from fdes.sources import sources
 
 RUN = CliRunner()
 
@@ -48,3 +52,29 @@ def test_a_folder_without_sources_is_a_mistake(tmp_path: Path) -> None:
     result = RUN.invoke(app, ["verify", "textbooks", "--sources", str(tmp_path / "none")])
     assert result.exit_code == 2
     assert "is no folder" in result.stderr
+
+
+def test_the_paper_flown_again_agrees_with_what_it_shows(tmp_path: Path) -> None:
+    result = RUN.invoke(app, ["verify", "paper", "--out", str(tmp_path / "paper.html")])
+    assert result.exit_code == 0
+    assert result.stdout.strip().endswith("15 passed, 0 failed")
+    page = (tmp_path / "paper.html").read_text("utf-8")
+    assert [f"Figure {n}:" in page for n in ("7", "8", "10", "11")] == [True] * 4
+    assert 'src="http' not in page
+
+
+def test_one_corrupted_number_of_the_paper_is_seen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wrong = copy.deepcopy(sources())
+    wrong["mansor_perumal"]["execution_times"][0]["rows"][0]["total"] = 9.71
+    monkeypatch.setattr(paper, "sources", lambda: wrong)
+    result = RUN.invoke(app, ["verify", "paper", "--out", str(tmp_path / "paper.html")])
+    assert result.exit_code == 1
+    assert "FAILED euler, 0.04 s: 3.164 ms per loop: 9.71 s / 2500 = 3.884 ms" in " ".join(result.stdout.split())
+
+
+def test_a_report_that_cannot_be_written_is_a_mistake() -> None:
+    result = RUN.invoke(app, ["verify", "paper", "--out", "no-such-folder/paper.html"])
+    assert result.exit_code == 2
+    assert "name a file that ends in .html in a folder that exists" in result.stderr
