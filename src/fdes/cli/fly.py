@@ -20,7 +20,9 @@ def fly(
     ),
     port: Annotated[
         int | None,
-        typer.Option(metavar="NUMBER", help="0 takes any free one; so does the usual one being in use."),
+        typer.Option(
+            min=0, max=65535, metavar="NUMBER", help="0 takes any free one; so does the usual one being in use."
+        ),
     ] = None,
     browser: Annotated[
         bool, typer.Option("--browser/--no-browser", metavar=FLAG, help="Open the cockpit in a browser.")
