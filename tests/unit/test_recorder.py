@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
+from scipy.io import loadmat
 
 from fdes.aircraft import load
 from fdes.control import Stick
@@ -133,3 +135,18 @@ def test_says_why_a_file_cannot_be_read(recorded: tuple[Path, list[Frame]], tmp_
     (tmp_path / "new.fdes").write_bytes(MAGIC + chunk(b"HEAD", later))
     with pytest.raises(RecordingError, match=r"has format 99 and was written by FDES 9\.0; this FDES reads format 1"):
         open_recording(tmp_path / "new.fdes")
+
+
+def test_netcdf_and_mat_hold_the_same_numbers(recorded: tuple[Path, list[Frame]], tmp_path: Path) -> None:
+    path, frames = recorded
+    recording = open_recording(path)
+    recording.to_netcdf(tmp_path / "one.nc")
+    recording.to_mat(tmp_path / "one.mat")
+    pitch_rate = [f.outputs.q for f in frames]
+    with xarray.open_dataset(tmp_path / "one.nc", engine="scipy") as data:
+        assert list(data["q"].values) == pitch_rate
+        assert data["q"].attrs["units"] == "rad/s"
+        assert data.attrs["aircraft"] == "A-4D"
+    mat = loadmat(tmp_path / "one.mat")
+    assert list(mat["q"][:, 0]) == pitch_rate
+    assert mat["units"]["q"][0, 0][0] == "rad/s"

@@ -51,6 +51,19 @@ class Recording:
         """Write as CSV, the unit of each column in its header: ``q [rad/s]``. `units` is ``si`` or ``us``."""
         write_csv(file, self.columns, self.data, units)
 
+    def to_netcdf(self, path: Path) -> None:
+        """Write the labelled dataset as NetCDF 3, which every reader of NetCDF can read."""
+        self.to_dataset().to_netcdf(path, engine="scipy", format="NETCDF3_64BIT")
+
+    def to_mat(self, path: Path) -> None:
+        """Write for MATLAB, version 5: one column vector per signal, and `units`, a struct of its unit by name."""
+        from scipy.io import savemat
+
+        signals = {c.name: self.data[:, i] for i, c in enumerate(self.columns)}
+        savemat(
+            path, {**signals, "units": {c.name: c.unit for c in self.columns}}, oned_as="column", do_compression=True
+        )
+
 
 @dataclass(frozen=True)
 class Listed:
