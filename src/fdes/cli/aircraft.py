@@ -10,8 +10,6 @@ from fdes.cli.options import AircraftName, AsJson, ConditionName, VariantName
 from fdes.cli.output import number, print_json, screen, table
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from rich.table import Table
 
     from fdes.aircraft import Aircraft, FlightCondition
@@ -73,18 +71,18 @@ def show(
     page.print(f"{chosen.name} ({chosen.id})", style="bold")
     page.print(chosen.summary)
     page.print(f"Also called {', '.join(chosen.aliases)}\n" if chosen.aliases else "")
-    page.print(_named((f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in chosen.conditions))
+    page.print(_named([(f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in chosen.conditions]))
     page.print(_number_table(ready))
-    page.print("Corrections", style="bold")
-    page.print(_named(_corrections(ready)))
-    page.print("ASSUMED: no source gives these", style="bold yellow")
-    page.print(
-        _named((name, f"{a['value']:,.10g} {a['unit']}: {a['reason']}") for name, a in ready.assumed.items()),
-    )
-    page.print("Notes", style="bold")
-    page.print(_named(_notes(ready)))
-    page.print("Sources", style="bold")
-    page.print(_named(chosen.sources.items()))
+    assumed = [(name, f"{a['value']:,.10g} {a['unit']}: {a['reason']}") for name, a in ready.assumed.items()]
+    for title, rows in (
+        ("Corrections", _corrections(ready)),
+        ("ASSUMED: no source gives these", assumed),
+        ("Notes", _notes(ready)),
+        ("Sources", [*chosen.sources.items()]),
+    ):
+        if rows:
+            page.print(title, style="bold")
+            page.print(_named(rows))
 
 
 def _picture(aircraft: "Aircraft") -> dict[str, Any]:
@@ -139,26 +137,22 @@ def _shown(unit: str) -> str:
     return "" if unit == "1" else unit
 
 
-def _corrections(ready: "FlightCondition") -> "Iterable[tuple[str, str]]":
+def _corrections(ready: "FlightCondition") -> list[tuple[str, str]]:
     """Which numbers are corrected, and why; one reason may be that of several."""
     why: dict[str, list[str]] = {}
     for name, p in ready.provenance.items():
         if p.corrected is not None:
             reason = f"{str(p.reason).rstrip('.')}.{' Presumed: no source has it.' if p.unverified else ''}"
             why.setdefault(reason, []).append(name)
-    for reason, names in why.items():
-        yield ", ".join(names), reason
+    return [(", ".join(names), reason) for reason, names in why.items()]
 
 
-def _notes(ready: "FlightCondition") -> "Iterable[tuple[str, str]]":
-    for text in ready.notes:
-        yield "", text
-    for name, p in ready.provenance.items():
-        if p.note:
-            yield name, p.note
+def _notes(ready: "FlightCondition") -> list[tuple[str, str]]:
+    """What is to be known of the condition, then of single numbers."""
+    return [*(("", text) for text in ready.notes), *((n, p.note) for n, p in ready.provenance.items() if p.note)]
 
 
-def _named(rows: "Iterable[tuple[str, str]]") -> "Table":
+def _named(rows: list[tuple[str, str]]) -> "Table":
     """Names, and what is to be said of them."""
     from rich.table import Table
 

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, VariantName, form_of_equations
-from fdes.cli.output import number, print_json, screen, table
+from fdes.cli.output import about, number, print_json, screen, table
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -32,12 +32,8 @@ def derivatives(
     named = dimensional(ready.coefficients, ready.reference, wanted)
     if json:
         print_json(
-            {
-                "aircraft": ready.aircraft_id,
-                "condition": ready.condition,
-                "form": form,
-                "variant": ready.variant,
-                "units": "SI",
+            about(ready, form)
+            | {
                 "longitudinal": _as_lists(model.longitudinal()),
                 "lateral": _as_lists(model.lateral()),
                 "dimensional": {

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, VariantName, form_of_equations
-from fdes.cli.output import number, print_json, screen, table
+from fdes.cli.output import about, number, print_json, screen, table
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -28,16 +28,7 @@ def modes(
     ready = load(aircraft).at(condition, variant)
     found = modes_of(ready, wanted)
     if json:
-        print_json(
-            {
-                "aircraft": ready.aircraft_id,
-                "condition": ready.condition,
-                "form": form,
-                "variant": ready.variant,
-                "units": "SI",
-                "modes": [mode.as_dict() for mode in found],
-            }
-        )
+        print_json(about(ready, form) | {"modes": [mode.as_dict() for mode in found]})
         return
     show = screen()
     show.print(f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}\n")

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
+    from fdes.aircraft import FlightCondition
+
 
 def screen() -> "Console":
     """Where results go: 80 columns, or as wide as the terminal is."""
@@ -29,6 +31,17 @@ def aside() -> "Console":
 def print_json(data: Any) -> None:
     """Print for other programs."""
     print(json.dumps(data, indent=2, allow_nan=False))
+
+
+def about(ready: "FlightCondition", form: str) -> dict[str, str]:
+    """What JSON says first: what it is about."""
+    return {
+        "aircraft": ready.aircraft_id,
+        "condition": ready.condition,
+        "form": form,
+        "variant": ready.variant,
+        "units": "SI",
+    }
 
 
 def complain(text: str) -> None:

@@ -78,9 +78,9 @@ class Cabins:
                 f"{MAX_VIEWERS} already watch the session {name}, which is the limit. Open another session."
             )
         viewer = Viewer("observer" if cabin.pilot else "pilot")
-        viewer.tell(**self._hello(cabin, viewer))
         cabin.viewers.add(viewer)
         cabin.pilot = cabin.pilot or viewer
+        viewer.tell(**self._hello(cabin, viewer))
         if cabin.leaving is not None:
             cabin.leaving.cancel()
             cabin.leaving = None

@@ -3,6 +3,7 @@
 The network names aircraft by id. An id that is not offered is reported, never looked for as a file.
 """
 
+import json
 from functools import cached_property
 from typing import Any
 
@@ -30,9 +31,10 @@ class Fleet:
             raise NoSuchPart("aircraft", aircraft, self.aircraft)
         return make_craft(self.aircraft[aircraft].at(condition, variant), self._form, self._integrator)
 
-    def pictures(self) -> list[dict[str, Any]]:
-        """What a picker shows of each aircraft, in SI."""
-        return [_picture(a) for a in self.aircraft.values()]
+    @cached_property
+    def pictures(self) -> bytes:
+        """What a picker shows of each aircraft, in SI, as JSON."""
+        return json.dumps([_picture(a) for a in self.aircraft.values()], allow_nan=False).encode()
 
 
 def craft_of(name: str, header: dict[str, Any]) -> Craft | None:

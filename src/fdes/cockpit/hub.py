@@ -26,7 +26,7 @@ class Stepped(Protocol):
 
     changed: bool
 
-    def tick(self, number: int, *, late: bool) -> bytes | None:
+    def tick(self, number: int, late: bool) -> bytes | None:
         """Go on by one period; the frame to show, if one is due."""
         ...
 
@@ -128,7 +128,7 @@ class Hub(Generic[S]):
                 due = began
             if late > NOTICEABLE:
                 self._late_until = began + 1.0
-            shown = self.step_all(number, late=began < self._late_until)
+            shown = self.step_all(number, began < self._late_until)
             if shown and not self._stopping.is_set():
                 hand_over(shown)
             self.lateness.add(late)
@@ -137,12 +137,12 @@ class Hub(Generic[S]):
             number += 1
             due += period
 
-    def step_all(self, number: int, *, late: bool) -> list[tuple[S, bytes | None]]:
+    def step_all(self, number: int, late: bool) -> list[tuple[S, bytes | None]]:
         """Step every session once. One that raises is told so; the others do not notice."""
         shown: list[tuple[S, bytes | None]] = []
         for session in list(self.sessions.values()):
             try:
-                frame = session.tick(number, late=late)
+                frame = session.tick(number, late)
             except Exception as trouble:
                 log.exception("a session failed")
                 session.fail(trouble)

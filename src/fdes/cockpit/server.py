@@ -27,6 +27,7 @@ from fdes.cockpit.hub import percentiles
 from fdes.cockpit.viewer import FLOOD, MAX_RATE, RateLimit, Viewer
 from fdes.errors import FdesError, RecordingError
 from fdes.flight import Recording, list_recordings, open_recording
+from fdes.flight.recording import Listed
 
 HERE = Path(__file__).parent
 BLOCK = 500  # rows of CSV made at a time
@@ -41,6 +42,7 @@ class Site:
 
     def __init__(self, cabins: Cabins) -> None:
         self._cabins = cabins
+        self._listing: asyncio.Future[list[Listed]] | None = None
         self._page, self._instruments = Folder(HERE / "page"), Folder(HERE / "instruments")
 
     async def index(self, request: Request) -> Response:
@@ -61,11 +63,14 @@ class Site:
 
     async def aircraft(self, request: Request) -> Response:
         """All aircraft that can be chosen."""
-        return JSONResponse(await asyncio.to_thread(self._cabins.fleet.pictures))
+        fleet = self._cabins.fleet
+        return Response(await asyncio.to_thread(lambda: fleet.pictures), media_type="application/json")
 
     async def recordings(self, request: Request) -> Response:
-        """All recordings, newest first."""
-        listed = await asyncio.to_thread(list_recordings, self._cabins.recordings)
+        """All recordings, newest first. Those who ask while the folder is being read share what is found."""
+        if self._listing is None or self._listing.done():
+            self._listing = asyncio.ensure_future(asyncio.to_thread(list_recordings, self._cabins.recordings))
+        listed = await asyncio.shield(self._listing)
         said = ("aircraft", "condition", "started")
         return JSONResponse(
             [

@@ -45,7 +45,7 @@ class Session:
         """The craft of which frames are sent: that of the flight, or that of the replay."""
         return self._sortie.craft if self._replay is None else self._replayed
 
-    def tick(self, number: int, *, late: bool) -> bytes | None:
+    def tick(self, number: int, late: bool) -> bytes | None:
         """One period of the hub: fly or replay one frame, unless frozen; the state frame, when one is due."""
         if not self.watched:
             return None
@@ -64,7 +64,7 @@ class Session:
             if not self._show and turn % (EVERY_MOVING if moving else EVERY_STILL):
                 return None
             self._show = False
-            return self._pack(late=late)
+            return self._pack(late)
 
     def fail(self, trouble: Exception) -> None:
         """End the flight because of a fault that nobody foresaw."""
@@ -215,7 +215,7 @@ class Session:
             raise SpecError("No recording is being replayed.")
         return self._replay
 
-    def _pack(self, *, late: bool) -> bytes:
+    def _pack(self, late: bool) -> bytes:
         sortie, replay = self._sortie, self._replay
         frame = sortie.frame
         t, values = (frame.t, (*frame.outputs, *frame.stick)) if replay is None else (replay.t, replay.frame())
