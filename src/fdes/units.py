@@ -3,7 +3,7 @@
 Inside, every number is SI and radians. A unit label is ASCII: ``m/s``, ``rad/s``, ``slug ft^2``.
 
 >>> parse("170 kt", "m/s")
-87.45555555555555
+87.45555555555556
 >>> 15 * DEG
 0.2617993877991494
 """
