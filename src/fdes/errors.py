@@ -33,6 +33,14 @@ class RecordingError(FdesError):
 class Departed(FdesError):
     """A flight that left the range its plant can describe."""
 
+    @classmethod
+    def of(cls, t: float, state: str, value: float) -> "Departed":
+        """The flight in which `state` reached `value` at `t` [s]."""
+        return cls(
+            f"The flight departed at t = {t:.3f} s: {state} reached {value:.3g}. Either the aircraft is unstable here, "
+            "or the integrator is unstable with this time step: try a smaller one, or the exact hold."
+        )
+
 
 class NoSuchPart(FdesError):
     """A name that a shelf does not hold. `aliases`: other spellings of the known names, for finding the nearest."""

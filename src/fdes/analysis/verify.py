@@ -64,6 +64,8 @@ def _of_source(source: Source) -> Iterator[Check]:
         yield from _modes(item, approximate_modes(_condition(item), form=item["form"]), source)
     for item in source.get("atmosphere", []):
         yield from _atmosphere(item, source)
+    for item in source.get("execution_times", []):
+        yield from _execution_times(item, source)
 
 
 def _condition(item: Source) -> Any:
@@ -129,6 +131,13 @@ def _atmosphere(item: Source, source: Source) -> Iterator[Check]:
     for height, *expected in item["rows"]:
         for name, value, ours in zip(item["columns"][1:], expected, standard_atmosphere(height), strict=True):
             yield Check(item["id"], f"{name} at {height} m", value, ours, item["rtol"], 0.0, *_cited(item, source))
+
+
+def _execution_times(item: Source, source: Source) -> Iterator[Check]:
+    """A table of times per loop is a table of whole times divided by the number of loops."""
+    for row in item["rows"]:
+        quantity, computed = f"{row['integrator']} {row['step']:g} s, s per loop", row["total"] / row["loops"]
+        yield Check(item["id"], quantity, row["loop"], computed, item["rtol"], 0.0, *_cited(item, source))
 
 
 def _cited(item: Source, source: Source) -> tuple[str, str]:

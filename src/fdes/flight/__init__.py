@@ -11,6 +11,7 @@ from fdes.flight.plants import integrator_names, plant_of
 from fdes.flight.recorder import Recorder
 from fdes.flight.recording import Recording, list_recordings, open_recording
 from fdes.flight.simulation import Clock, Edit, Frame, Setup, SteadyAir, fly
+from fdes.flight.trajectory import trajectory
 
 __all__ = [
     "Clock",
@@ -29,4 +30,5 @@ __all__ = [
     "list_recordings",
     "open_recording",
     "plant_of",
+    "trajectory",
 ]

@@ -15,6 +15,7 @@ from fdes.errors import Departed, SpecError
 from fdes.physics.signals import Air, Outputs, Surfaces
 
 NO_EXCITATION = Surfaces()
+BOUND = 1e9  # of every state, in its unit: far outside flight
 
 
 class Plant(Protocol):
@@ -170,10 +171,7 @@ def fly(
 
 def _must_be_finite(x: Any, t: float) -> None:
     """Stop before numbers overflow. The bound is far outside flight, so that an unstable integrator can be watched."""
-    if max(x) < 1e9 and min(x) > -1e9:
+    if max(x) < BOUND and min(x) > -BOUND:
         return
-    name, value = next((n, v) for n, v in x._asdict().items() if not abs(v) < 1e9)
-    raise Departed(
-        f"The flight departed at t = {t:.3f} s: {name} reached {value:.3g}. Either the aircraft is unstable here, or "
-        "the integrator is unstable with this time step: try a smaller one, or the exact hold."
-    )
+    name, value = next((n, v) for n, v in x._asdict().items() if not abs(v) < BOUND)
+    raise Departed.of(t, name, value)

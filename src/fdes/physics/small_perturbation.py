@@ -7,7 +7,7 @@ how far it is.
 
 from typing import Annotated, NamedTuple
 
-from fdes.elementary import atan2, cos, sin, sqrt
+from fdes.elementary import atan2, cos, each, largest, sin, sqrt
 from fdes.physics.airdata import calibrated_airspeed, equivalent_airspeed, impact_pressure
 from fdes.physics.atmosphere import GAMMA_AIR
 from fdes.physics.derivatives import Matrices, Matrix, Reference
@@ -133,12 +133,13 @@ def observe(plant: SmallPerturbation, x: PerturbationState, held: Surfaces, air:
     V = sqrt(u * u + v * v + w * w)
     a = ref.V / ref.mach
     mach = V / a
+    p = ref.rho * a * a / GAMMA_AIR
     d_alpha = atan2(w, u)
     beta = atan2(v, sqrt(u * u + w * w))
     return Outputs(
         V=V,
         mach=mach,
-        cas=calibrated_airspeed(impact_pressure(mach, ref.rho * a * a / GAMMA_AIR)),
+        cas=each(lambda m: calibrated_airspeed(impact_pressure(m, p)), mach),
         eas=equivalent_airspeed(V, ref.rho),
         qbar=0.5 * ref.rho * V * V,
         alpha=ref.alpha + d_alpha,
@@ -167,7 +168,7 @@ def observe(plant: SmallPerturbation, x: PerturbationState, held: Surfaces, air:
         aileron=held.aileron,
         rudder=held.rudder,
         throttle=held.throttle,
-        excursion=max(abs(d_alpha), abs(beta), abs(x.theta), abs(x.phi)),
+        excursion=largest(abs(d_alpha), abs(beta), abs(x.theta), abs(x.phi)),
     )
 
 

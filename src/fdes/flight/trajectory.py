@@ -1,0 +1,117 @@
+"""A flight that is known in advance, whole: the linear plant as a recursion, all frames at once.
+
+With its commands scheduled, a fixed-step method on linear equations is x_next = R x + S u, R the method's stability
+function of hA. `fly` defines the flight; one test holds the two together on all integrators and forms.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fdes.control import Stick
+from fdes.errors import Departed
+from fdes.flight.recorder import columns_of
+from fdes.flight.recording import Recording
+from fdes.flight.simulation import BOUND, Clock
+from fdes.physics.signals import Air, Surfaces
+from fdes.physics.small_perturbation import (
+    ExactHold,
+    PerturbationState,
+    SmallPerturbation,
+    advance,
+    derivative,
+    observe,
+)
+
+Array = NDArray[np.float64]
+
+LINEAR = 9  # the first nine states are linear in themselves; north, east and height follow from them
+NOWHERE = PerturbationState()
+
+
+def trajectory(
+    plant: SmallPerturbation,
+    start: PerturbationState,
+    clock: Clock,
+    stick: Stick,
+    excitation: Callable[[float], Surfaces],
+    air: Air | None = None,
+) -> Recording:
+    """The recording of a flight of `clock.duration` from `start`: the stick still, the surfaces at trim but for
+    `excitation`, the throttle where the stick has it. Raises Departed when a state leaves what numbers can hold.
+    """
+    air = air or Air()
+    times = np.array(list(clock))
+    added = np.array([excitation(t) for t in times.tolist()])
+    commands = added + np.array(Surfaces(throttle=stick.throttle))
+    held = np.vstack([[plant.trim()], commands[:-1]])
+    limited = np.clip(commands, plant.limits.lower, plant.limits.upper)
+    every = clock.substeps
+    inner = np.repeat(limited, every, axis=0)
+    x = _states(plant, start, inner, air, clock.dt / every)[::every][: len(times)]
+    _must_be_finite(x, times)
+    feel = Surfaces(*np.clip(held, plant.limits.lower, plant.limits.upper).T)
+    shown = observe(plant, PerturbationState(*x.T), feel, air)  # type: ignore[arg-type]  # whole columns at once
+    count = len(times)
+    parts = [times, *shown, *stick, *added.T, *held.T, *commands.T, *x.T, *air]
+    data = np.column_stack([np.broadcast_to(part, count) for part in parts])
+    return Recording({}, columns_of(PerturbationState), data, (), complete=True)
+
+
+def _states(plant: SmallPerturbation, start: PerturbationState, commands: Array, air: Air, h: float) -> Array:
+    """The state at the start of every step of length `h`, shape (steps, 12)."""
+    R, S, c = _recursion(plant, air, h)
+    pushed = (commands - plant.trim()) @ S.T + c
+    x = np.empty((len(commands), len(NOWHERE)))
+    x[0] = start
+    linear, now = x[:, :LINEAR], x[0, :LINEAR].copy()
+    with np.errstate(over="ignore", invalid="ignore"):  # a flight that departs is found afterwards
+        for k in range(1, len(commands)):
+            now = R @ now
+            now += pushed[k - 1]
+            linear[k] = now
+        moved = _displacements(plant, x[:-1], commands[:-1], air, h)
+        x[1:, LINEAR:] = x[0, LINEAR:] + np.cumsum(moved, axis=0)
+    return x
+
+
+def _recursion(plant: SmallPerturbation, air: Air, h: float) -> tuple[Array, Array, Array]:
+    """R, S and what the gust adds, found by asking one step of the plant about one state or surface at a time."""
+
+    def after(x: PerturbationState, held: Surfaces, blown: Air) -> Array:
+        return np.array(advance(plant, x, held, blown, h, 1)[:LINEAR])
+
+    trim, calm = plant.trim(), Air()
+    R = [after(NOWHERE._replace(**{name: 1.0}), trim, calm) for name in NOWHERE._fields[:LINEAR]]
+    S = [after(NOWHERE, trim._replace(**{n: v + 1.0}), calm) for n, v in trim._asdict().items()]
+    return np.column_stack(R), np.column_stack(S), after(NOWHERE, trim, air)
+
+
+def _displacements(plant: SmallPerturbation, x: Array, commands: Array, air: Air, h: float) -> Array:
+    """How far each step goes north, east and up: the integrator's own quadrature, all steps at once."""
+    held = Surfaces(*commands.T)
+
+    def slope(states: Array) -> Array:
+        rates = derivative(plant, PerturbationState(*states.T), held, air)  # type: ignore[arg-type]
+        return np.column_stack([np.broadcast_to(r, len(states)) for r in rates])
+
+    method = plant.integrator
+    if isinstance(method, ExactHold):
+        then = np.vstack([x[1:], x[-1:]])
+        then[-1, :LINEAR] = advance(plant, PerturbationState(*x[-1]), Surfaces(*commands[-1]), air, h, 1)[:LINEAR]
+        return 0.5 * h * (slope(x) + slope(then))[:, LINEAR:]
+    slopes: list[Array] = []
+    for row in method.a:
+        inner = x + h * sum((a * k for a, k in zip(row, slopes, strict=False)), np.zeros_like(x))
+        slopes.append(slope(inner))
+    return h * sum((b * k for b, k in zip(method.b, slopes, strict=True)), np.zeros_like(x))[:, LINEAR:]
+
+
+def _must_be_finite(x: Array, times: Array) -> None:
+    """As `fly` does it, at the first frame that is out of bounds."""
+    out = ~(np.abs(x) < BOUND)
+    if out.any():
+        k = int(out.any(axis=1).argmax())
+        name = PerturbationState._fields[int(out[k].argmax())]
+        raise Departed.of(float(times[k]), name, float(x[k, out[k].argmax()]))
