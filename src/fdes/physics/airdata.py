@@ -18,13 +18,13 @@ def impact_pressure(mach: Number, p: Pascal) -> Pascal:
 
 def calibrated_airspeed(q_c: Pascal) -> MeterPerSecond:
     """The speed that would give impact pressure `q_c` at sea level on a standard day."""
-    cas = A0 * sqrt(5.0 * (pow(q_c / P0 + 1.0, 2.0 / 7.0) - 1.0))
+    cas: float = A0 * sqrt(5.0 * (pow(q_c / P0 + 1.0, 2.0 / 7.0) - 1.0))
     if cas <= A0:
         return cas
     # Above the speed of sound Rayleigh's equation has no inverse in closed form, and this fixed point contracts.
     for _ in range(60):
         m = cas / A0
-        nearer = A0 * 0.881285 * sqrt((q_c / P0 + 1.0) * pow(1.0 - 1.0 / (7.0 * m * m), 2.5))
+        nearer: float = A0 * 0.881285 * sqrt((q_c / P0 + 1.0) * pow(1.0 - 1.0 / (7.0 * m * m), 2.5))
         if abs(nearer - cas) < 1e-9 * A0:
             return nearer
         cas = nearer
@@ -33,4 +33,5 @@ def calibrated_airspeed(q_c: Pascal) -> MeterPerSecond:
 
 def equivalent_airspeed(V: MeterPerSecond, rho: KilogramPerMeter3) -> MeterPerSecond:
     """The speed that would give the same dynamic pressure in sea-level air."""
-    return V * sqrt(rho / RHO0)
+    eas: float = V * sqrt(rho / RHO0)
+    return eas
