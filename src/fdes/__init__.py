@@ -22,8 +22,8 @@ _HOME = {
     "linear_model": "fdes.analysis",
     "modes": "fdes.analysis",
     "open_recording": "fdes.flight",
-    "plant_of": "fdes.analysis",
-    "simulate": "fdes.analysis",
+    "plant_of": "fdes.flight",
+    "simulate": "fdes.flight",
 }
 
 __all__ = sorted(_HOME)  # noqa: PLE0605  the table above is the one list of public names

@@ -11,12 +11,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+import xarray
+from scipy.io import loadmat
 from scipy.linalg import expm
 from typer.testing import CliRunner
 
 from fdes.cli import app
 from fdes.errors import SpecError
-from fdes.units import DEG, FOOT
+from fdes.units import DEG, FOOT, KNOT
 
 MODULE = sys.modules["fdes.cli.simulate"]  # in the package, the command goes by this name
 STEP = ["--input", "step aileron 15deg at 0s"]
@@ -105,8 +107,8 @@ def test_a_flight_that_departs_leaves_the_old_file_and_nothing_else(tmp_path: Pa
 @pytest.mark.parametrize("trouble", [KeyboardInterrupt(), OSError(errno.ENOSPC, "No space left on device")], ids=repr)
 def test_what_cannot_be_written_to_the_end_is_not_there_at_all(tmp_path: Path, trouble: BaseException) -> None:
     def write_half() -> None:
-        with MODULE._whole(tmp_path / "run.csv") as file:
-            file.write("half")
+        with MODULE._whole(tmp_path / "run.csv") as part:
+            part.write_text("half")
             raise trouble
 
     with pytest.raises((KeyboardInterrupt, SpecError)):
@@ -114,6 +116,22 @@ def test_what_cannot_be_written_to_the_end_is_not_there_at_all(tmp_path: Path, t
     assert list(tmp_path.iterdir()) == []
 
 
-def test_long_flights_are_watched_frame_by_frame(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(MODULE, "PATIENCE", 0.0)
-    assert len(flown(*ROLL)["t [s]"]) == 601
+def test_initial_perturbations_are_where_the_flight_starts() -> None:
+    columns = flown("A-4D", "--initial", "beta=5deg, u=+10kt", "--initial", "theta=-1deg", "--duration", "1")
+    assert columns["state_beta [rad]"][0] == pytest.approx(5 * DEG)
+    assert columns["state_u [m/s]"][0] == pytest.approx(10 * KNOT)
+    assert columns["state_theta [rad]"][0] == pytest.approx(-1 * DEG)
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".mat"])
+def test_other_formats_hold_the_same_flight(tmp_path: Path, suffix: str) -> None:
+    out = tmp_path / f"run{suffix}"
+    assert run(*ROLL, "--out", str(out)).exit_code == 0
+    expected = flown(*ROLL)["p [rad/s]"]
+    if suffix == ".mat":
+        found = loadmat(out)["p"][:, 0]
+    else:
+        with xarray.open_dataset(out, engine="scipy") as data:
+            found = data["p"].values
+    assert found == pytest.approx(expected)
+    assert list(tmp_path.iterdir()) == [out]

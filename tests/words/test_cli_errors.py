@@ -68,8 +68,13 @@ MISTAKES = [
     ([*A4D, "--input", "doublet elevator 5deg for -2s"], "says for -2s; it must last longer than 0 s."),
     (
         [*A4D, "--out", "run.txt"],
-        "run.txt cannot be written: the response is written as CSV. Let its name end in .csv.",
+        "run.txt cannot be written: let its name end in .csv, .nc, .mat.",
     ),
+    ([*A4D, "--out", "run.nc", "--units", "us"], ".nc files carry their units and are written in SI."),
+    ([*A4D, "--initial", "bta=5deg"], "There is no state named 'bta'. Did you mean 'beta'?"),
+    ([*A4D, "--initial", "beta=5"], "The initial perturbation 'beta=5' has no unit. Write it like 'beta=5deg'"),
+    ([*A4D, "--initial", "beta"], "The initial perturbation 'beta' is not understood. Write it like 'beta=5deg'."),
+    ([*A4D, "--initial", "beta=5kt"], "'5kt' is in kt, which is not a unit of this quantity. Use one of: rad, deg"),
     ([*A4D, "--out", "nowhere/run.csv"], "nowhere/run.csv cannot be written: there is no folder "),
     ([*FLY, "--host", "nowhere.invalid"], "There is no host 'nowhere.invalid' here. Use 127.0.0.1 for this machine"),
 ]

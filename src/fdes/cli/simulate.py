@@ -2,30 +2,24 @@
 
 import os
 import sys
-import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
-from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TextIO, TypeVar
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fdes.cli.options import FLAG, AircraftName, ConditionName, FormName, IntegratorName, VariantName
-from fdes.cli.output import aside, note, number, screen, table
+from fdes.cli.output import note, number, screen, table
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
 
 if TYPE_CHECKING:
     from fdes.aircraft import FlightCondition
-    from fdes.flight import Clock, Excitation, Recording
-
-T = TypeVar("T")
+    from fdes.flight import Clock, Recording
 
 STDOUT = "-"
 MOST_FRAMES = 500_000
-PATIENCE = 2.0  # s after which the wait is shown
 HONEST_TO = 15.0 * DEG  # from the reference condition: Mansor and Perumal, section 7
 SUMMARIZED = ("V", "alpha", "beta", "gamma", "phi", "theta", "psi", "p", "q", "r", "n_y", "n_z", "h")
 
@@ -39,6 +33,12 @@ def simulate(
         list[str] | None,
         typer.Option(
             "--input", "-i", metavar="TEXT", help="A test input such as 'step aileron 15deg at 0s'. Repeatable."
+        ),
+    ] = None,
+    initial: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TEXT", help="A perturbation to start with, such as 'beta=5deg' or 'u=+10kt'. Repeatable."
         ),
     ] = None,
     integrator: IntegratorName = "rk4",
@@ -56,26 +56,40 @@ def simulate(
     ] = None,
     units: Annotated[str, typer.Option(metavar="si|us", help="SI and radians, or feet and degrees.")] = "si",
     out: Annotated[
-        str | None, typer.Option("--out", "-o", metavar="FILE.csv", help="Else a summary is printed; - is stdout.")
+        str | None,
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="FILE",
+            help="A .csv, .nc or .mat file; else a summary is printed; - is CSV on stdout.",
+        ),
     ] = None,
 ) -> None:
-    """Fly test inputs from trim, hands off, and write the response as CSV, the unit of each column in its header."""
+    """Fly test inputs from trim, hands off, and write the response, the unit of every column with it."""
     from fdes.aircraft import load
-    from fdes.flight import Excitation
+    from fdes.flight import simulate as fly_it
 
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     target = _target(out)
-    excitation = Excitation.parse(inputs or ())
-    start = None if height is None else parse(height, "m")
-    clock = _clock(dt, substeps, duration)
+    if target is not None and target.suffix.lower() != ".csv" and units != "si":
+        raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
     ready = load(aircraft).at(condition, variant)
-    response = _response(ready, form, integrator, clock, excitation, start, limits)
+    response = fly_it(
+        ready,
+        inputs or (),
+        clock=_clock(dt, substeps, duration),
+        form=form,
+        integrator=integrator,
+        initial=initial or (),
+        height=None if height is None else parse(height, "m"),
+        limits=limits,
+    )
     if out == STDOUT:
         response.to_csv(sys.stdout, units)
     elif target is not None:
-        with _whole(target) as file:
-            response.to_csv(file, units)
+        with _whole(target) as part:
+            SAVE[target.suffix.lower()](response, part, units)
         rows, columns = response.data.shape
         screen().print(f"{out}: {rows} rows, {columns} columns", soft_wrap=True)
     else:
@@ -99,62 +113,13 @@ def _clock(dt: float, substeps: int, duration: float) -> "Clock":
     return clock
 
 
-def _response(
-    ready: "FlightCondition",
-    form: str,
-    integrator: str,
-    clock: "Clock",
-    excitation: "Excitation",
-    height: float | None,
-    limits: bool,
-) -> "Recording":
-    """The flight from trim, hands off."""
-    from fdes.control.laws.direct import Direct
-    from fdes.flight import HandsOff, Setup, SteadyAir, fly, plant_of
-    from fdes.flight.recorder import columns_of, row_of
-    from fdes.flight.recording import frames_to_recording
-    from fdes.physics.signals import Surfaces
-    from fdes.physics.small_perturbation import Limits
-
-    if not limits:
-        ready = replace(ready, limits=Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf)))
-    plant = plant_of(ready, form, integrator, clock.dt / clock.substeps)
-    start = plant.start(height)
-    setup = Setup(plant, Direct(ready.full_stick))
-    frames = fly(start, setup, HandsOff(ready.trim_throttle), SteadyAir(), clock, excitation)
-    rows = (row_of(frame) for frame in _watched(frames, sum(1 for _ in clock)))
-    return frames_to_recording({}, columns_of(type(start)), rows)
-
-
-def _watched(frames: Iterable[T], total: int) -> Iterator[T]:
-    """The same frames; when they take long, a bar on stderr shows how far they are."""
-    frames = iter(frames)
-    begun = time.monotonic()
-    done = 0
-    for frame in frames:
-        yield frame
-        done += 1
-        if time.monotonic() - begun > PATIENCE:
-            break
-    else:
-        return
-    from rich.progress import Progress
-
-    console = aside()
-    with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task("Flying", total=total, completed=done)
-        for frame in frames:
-            yield frame
-            bar.advance(task)
-
-
 def _target(out: str | None) -> Path | None:
     """The file to write, if one is wanted. Raises SpecError for what cannot be written, before anything is flown."""
     if out is None or out == STDOUT:
         return None
     path = Path(os.path.realpath(out))  # a link stays a link, what it leads to is written
-    if path.suffix.lower() != ".csv":
-        raise SpecError(f"{out} cannot be written: the response is written as CSV. Let its name end in .csv.")
+    if path.suffix.lower() not in SAVE:
+        raise SpecError(f"{out} cannot be written: let its name end in {', '.join(SAVE)}.")
     if path.is_dir():
         raise SpecError(f"{out} cannot be written: it is a folder.")
     if not path.parent.is_dir():
@@ -165,17 +130,28 @@ def _target(out: str | None) -> Path | None:
 
 
 @contextmanager
-def _whole(path: Path) -> Iterator[TextIO]:
+def _whole(path: Path) -> Iterator[Path]:
     """A file that appears at `path` when all of it is written, and not at all otherwise. Raises SpecError."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
     try:
-        with part.open("w", encoding="utf-8", newline="\n") as file:
-            yield file
+        yield part
         part.replace(path)
     except OSError as trouble:
         raise SpecError(f"{path} cannot be written: {trouble.strerror or trouble}.") from trouble
     finally:
         part.unlink(missing_ok=True)
+
+
+def _save_csv(response: "Recording", path: Path, units: str) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        response.to_csv(file, units)
+
+
+SAVE: dict[str, Callable[["Recording", Path, str], None]] = {
+    ".csv": _save_csv,
+    ".nc": lambda response, path, _: response.to_netcdf(path),
+    ".mat": lambda response, path, _: response.to_mat(path),
+}
 
 
 def _summarize(response: "Recording", units: str) -> None:

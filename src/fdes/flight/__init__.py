@@ -10,6 +10,7 @@ from fdes.flight.pilot import HandsOff, SameStick
 from fdes.flight.plants import integrator_names, plant_of
 from fdes.flight.recorder import Recorder
 from fdes.flight.recording import Recording, list_recordings, open_recording
+from fdes.flight.response import simulate
 from fdes.flight.simulation import Clock, Edit, Frame, Setup, SteadyAir, fly
 from fdes.flight.trajectory import trajectory
 
@@ -30,5 +31,6 @@ __all__ = [
     "list_recordings",
     "open_recording",
     "plant_of",
+    "simulate",
     "trajectory",
 ]

@@ -5,7 +5,7 @@
 [0.0, 0.0873, -0.0873, 0.0]
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields
 from typing import get_type_hints
 
@@ -29,6 +29,13 @@ class Excitation:
     def parse(cls, texts: Iterable[str]) -> "Excitation":
         """Read descriptions; one text may hold several, separated by semicolons. Raises SpecError or NoSuchPart."""
         return cls(tuple(_parse_one(one) for text in texts for one in text.split(";") if one.strip()))
+
+    def over(self, times: Sequence[float]) -> Surfaces:
+        """What is added at each of `times` [s]: one list per surface."""
+        total: dict[str, list[float]] = {name: [0.0] * len(times) for name in Surfaces._fields}
+        for channel, shape in self.parts:
+            total[channel] = [sum_so_far + shape(t) for sum_so_far, t in zip(total[channel], times, strict=True)]
+        return Surfaces(**total)  # type: ignore[arg-type]  # whole columns
 
     def __call__(self, t: float) -> Surfaces:
         """What is added at `t` [s]."""

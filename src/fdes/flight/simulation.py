@@ -98,7 +98,7 @@ class Clock:
         if self.substeps < 1:
             raise SpecError(f"The number of substeps is {self.substeps}; it must be at least 1.")
         if self.duration is not None and not (isfinite(self.duration) and self.duration >= 0.0):
-            raise SpecError(f"The duration is {self.duration:g} s; it must be zero or more.")
+            raise SpecError(f"The duration is {self.duration:g} s; it must be a finite number, zero or more.")
 
     def __iter__(self) -> Iterator[float]:
         frames: Iterable[int] = count() if self.duration is None else range(round(self.duration / self.dt) + 1)

@@ -4,13 +4,12 @@ With its commands scheduled, a fixed-step method on linear equations is x_next =
 function of hA. `fly` defines the flight; one test holds the two together on all integrators and forms.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from fdes.control import Stick
 from fdes.errors import Departed
+from fdes.flight.excitation import Excitation
 from fdes.flight.recorder import columns_of
 from fdes.flight.recording import Recording
 from fdes.flight.simulation import BOUND, Clock
@@ -36,7 +35,7 @@ def trajectory(
     start: PerturbationState,
     clock: Clock,
     stick: Stick,
-    excitation: Callable[[float], Surfaces],
+    excitation: Excitation,
     air: Air | None = None,
 ) -> Recording:
     """The recording of a flight of `clock.duration` from `start`: the stick still, the surfaces at trim but for
@@ -44,7 +43,7 @@ def trajectory(
     """
     air = air or Air()
     times = np.array(list(clock))
-    added = np.array([excitation(t) for t in times.tolist()])
+    added = np.array(excitation.over(times.tolist())).T
     commands = added + np.array(Surfaces(throttle=stick.throttle))
     held = np.vstack([[plant.trim()], commands[:-1]])
     limited = np.clip(commands, plant.limits.lower, plant.limits.upper)

@@ -1,0 +1,68 @@
+"""The response of an aircraft to test inputs and initial perturbations, hands off: the commonest exercise of all."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import inf
+
+from fdes.aircraft import FlightCondition
+from fdes.control import Stick
+from fdes.errors import NoSuchPart, SpecError
+from fdes.flight.excitation import Excitation
+from fdes.flight.plants import plant_of
+from fdes.flight.recording import Recording
+from fdes.flight.simulation import Clock
+from fdes.flight.trajectory import trajectory
+from fdes.physics.signals import Surfaces, channels
+from fdes.physics.small_perturbation import Limits, PerturbationState
+from fdes.units import parse
+
+NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
+
+
+def simulate(
+    condition: FlightCondition,
+    inputs: Iterable[str] = (),
+    *,
+    clock: Clock,
+    form: str = "full",
+    integrator: str = "rk4",
+    initial: Iterable[str] = (),
+    height: float | None = None,
+    limits: bool = False,
+) -> Recording:
+    """Fly `condition` from trim, hands off, with `inputs` such as ``step aileron 15deg at 0s`` on its surfaces.
+
+    `initial` disturbs states at the start: ``beta=5deg``, ``u=+10kt``. `height` [m] is where the flight starts, else
+    the condition's. Surfaces go as far as they are asked unless `limits` stops them at what is assumed of them.
+    Raises SpecError, NoSuchPart or Departed.
+
+    >>> import fdes
+    >>> flight = simulate(fdes.load("A-4D").at(), ["step aileron 1deg"], clock=Clock(0.01, duration=2.0))
+    >>> bool(flight["p"][-1] > 0.0)
+    True
+    """
+    if not limits:
+        condition = replace(condition, limits=NO_LIMITS)
+    plant = plant_of(condition, form, integrator, clock.dt / clock.substeps)
+    start = disturbed(plant.start(height), initial)
+    throttle = Stick(throttle=condition.trim_throttle)
+    return trajectory(plant, start, clock, throttle, Excitation.parse(inputs))
+
+
+def disturbed(state: PerturbationState, initial: Iterable[str]) -> PerturbationState:
+    """`state` with what is said added to it; one text may hold several, separated by commas or semicolons.
+
+    >>> disturbed(PerturbationState(), ["beta=5deg, u=+10kt"]).u
+    5.144444444444445
+    """
+    unit = {c.name: c.unit for c in channels(PerturbationState)}
+    for said in (one.strip() for text in initial for one in text.replace(";", ",").split(",") if one.strip()):
+        name, equals, value = (part.strip() for part in said.partition("="))
+        if not equals:
+            raise SpecError(f"The initial perturbation {said!r} is not understood. Write it like 'beta=5deg'.")
+        if name not in unit:
+            raise NoSuchPart("state", name, unit)
+        if unit[name] != "1" and value and value[-1].isdigit():
+            raise SpecError(f"The initial perturbation {said!r} has no unit. Write it like 'beta=5deg' or 'u=+10kt'.")
+        state = state._replace(**{name: getattr(state, name) + parse(value, unit[name])})
+    return state
