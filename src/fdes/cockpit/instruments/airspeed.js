@@ -1,0 +1,30 @@
+/** Airspeed indicator: calibrated airspeed in knots. The scale fits the aircraft; the bug marks the trim speed. */
+
+import { AMBER, GREY } from "../page/dial.js";
+import { DEG, clamp, knots } from "../page/units.js";
+
+export const title = "airspeed";
+export const needs = ["cas"];
+
+const SCALES = [{ top: 200, minor: 5, major: 20 }, { top: 400, minor: 10, major: 50 }, { top: 700, minor: 20, major: 100 }, { top: 1400, minor: 50, major: 200 }];
+const SWEEP = 325 * DEG;
+
+const scaleFor = (trim) => SCALES.find(({ top }) => top >= (trim ? knots(trim.cas) * 1.7 : 300)) ?? SCALES.at(-1);
+const angle = (speed, { top }) => (clamp(speed, 0, top) / top) * SWEEP;
+
+export function face(dial, trim) {
+  const scale = scaleFor(trim);
+  for (let v = 0; v <= scale.top; v += scale.minor) {
+    const major = v % scale.major === 0;
+    dial.tick(angle(v, scale), major ? 0.73 : 0.79, 0.86, major ? 0.022 : 0.012);
+    if (major && v) dial.label(String(v), angle(v, scale), 0.56, scale.top > 999 ? 0.125 : 0.14);
+  }
+  dial.text("AIRSPEED", 0, -0.26, 0.095, GREY);
+  dial.text("KNOTS", 0, 0.3, 0.095, GREY);
+  if (trim) dial.bug(angle(knots(trim.cas), scale));
+}
+
+export function draw(dial, { cas }, trim) {
+  dial.needle(angle(knots(cas), scaleFor(trim)), 0.8, 0.03, { color: cas < 0 ? AMBER : undefined });
+  dial.cap();
+}

@@ -1,0 +1,156 @@
+/** The page: connects the link, the stick, the picture and the buttons. */
+
+import { AircraftPicker } from "./aircraft_picker.js";
+import { drawSheet } from "./aircraft_sheet.js";
+import { Cockpit } from "./cockpit.js";
+import { byId } from "./dom.js";
+import { fillHelp } from "./help.js";
+import { InstrumentPanel, SIX } from "./instrument_panel.js";
+import { listenToKeys } from "./keys.js";
+import { FLAG, Link } from "./link.js";
+import { ModesPanel } from "./modes.js";
+import { RecordingsPanel, ReplayBar } from "./recordings.js";
+import { SignalChooser } from "./signal_chooser.js";
+import { StickInput } from "./stick.js";
+import { StickIndicator } from "./stick_indicator.js";
+import { StripChart } from "./strip_chart.js";
+import { Tabs } from "./tabs.js";
+import { Theme } from "./theme.js";
+import { TopBar, sayState } from "./top_bar.js";
+
+const query = new URLSearchParams(location.search);
+const theme = new Theme(query.get("theme"));
+const link = new Link(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${sessionName()}`);
+const stick = new StickInput();
+const chart = new StripChart(byId("chart"));
+const panel = await InstrumentPanel.load(byId("instruments"), query.get("instruments")?.split(",") ?? SIX);
+
+const cockpit = new Cockpit(
+  { link, stick, chart, panel, theme, worldCanvas: byId("world"), hudCanvas: byId("hud"), instrumentCanvas: byId("instruments"), chartCanvas: byId("chart") },
+  { worldKind: query.get("world") ?? "auto", look: query.get("look") },
+);
+const topBar = new TopBar(link, cockpit, stick);
+const indicator = new StickIndicator(byId("stick"));
+const modes = new ModesPanel(byId("s-plane"), byId("modes-table"));
+const recordings = new RecordingsPanel(byId("panel-recordings"), command);
+const replayBar = new ReplayBar(byId("replay"), command);
+const picker = new AircraftPicker(byId("picker"), fly);
+const chooser = new SignalChooser(byId("chooser"), chart);
+const tabs = new Tabs(byId("tabs"), (tab) => tab === "recordings" && recordings.refresh());
+fillHelp(byId("help"));
+
+/** The session of this window, kept over a reload. */
+function sessionName() {
+  const asked = query.get("session");
+  if (asked) return encodeURIComponent(asked);
+  const key = "fdes.session";
+  let name = null;
+  try {
+    name = sessionStorage.getItem(key);
+    name ??= randomName();
+    sessionStorage.setItem(key, name);
+  } catch {
+    name ??= randomName(); // storage may be forbidden: a reload then begins another flight
+  }
+  return name;
+}
+
+// crypto.randomUUID exists only on secure pages, and a class may well use plain http.
+function randomName() {
+  return [...crypto.getRandomValues(new Uint8Array(4))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+/** Sends a command; a refusal is shown to the user. Resolves to whether it was done. */
+async function command(name, fields) {
+  try {
+    await link.command(name, fields);
+    return true;
+  } catch (error) {
+    topBar.complain(error.message);
+    return false;
+  }
+}
+
+async function fly(aircraft, condition, variant) {
+  await link.command("aircraft", { aircraft, condition, variant });
+  stick.toTrim();
+}
+
+const actions = {
+  freeze: () => command("freeze", { value: !link.has(FLAG.frozen) }),
+  reset: async () => {
+    if (await command("reset")) stick.toTrim();
+  },
+  step: () => command("step"),
+  record: () => command("record", { value: !link.has(FLAG.recording) }),
+  hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
+  theme: () => theme.toggle(),
+  help: () => byId("help").showModal(),
+};
+listenToKeys(actions);
+for (const button of document.querySelectorAll("[data-action]")) button.addEventListener("click", () => actions[button.dataset.action]());
+byId("choose-aircraft").addEventListener("click", () => picker.open());
+byId("choose-signals").addEventListener("click", () => chooser.open());
+byId("start-again").addEventListener("click", actions.reset);
+for (const dialog of document.querySelectorAll("dialog")) {
+  dialog.querySelector("[data-close]").addEventListener("click", () => dialog.close());
+  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close()); // a click beside it
+}
+
+let flown = null; // aircraft and condition, to know whether a message brings another one
+link.on("hello", (hello) => {
+  cockpit.flying = hello.role === "pilot";
+  byId("observer").hidden = cockpit.flying;
+  chart.setChannels(hello.channels);
+  topBar.showHello(hello);
+});
+link.on("aircraft", (aircraft) => {
+  const now = `${aircraft.id} ${aircraft.condition} ${aircraft.variant}`;
+  if (now !== flown) {
+    flown = now;
+    stick.toTrim(aircraft.trim_throttle);
+    chart.clear();
+    cockpit.expectTrim();
+  }
+  indicator.setTrim(aircraft.trim_throttle);
+  topBar.showAircraft(aircraft);
+  picker.setCurrent(aircraft);
+  drawSheet(byId("panel-aircraft"), aircraft);
+});
+link.on("modes", (message) => modes.show(message.modes));
+let recorded = null;
+link.on("status", (status) => {
+  topBar.showStatus(status);
+  replayBar.show(status.replay);
+  recordings.playing = status.replay?.name ?? null;
+  const now = `${status.recording?.name} ${recordings.playing}`;
+  if (recorded !== null && now !== recorded && tabs.shown === "recordings") recordings.refresh();
+  recorded = now;
+});
+link.on("error", ({ error }) => topBar.complain(error));
+link.on("connection", (open) => topBar.showConnection(open));
+
+stick.onFirstInput = () => byId("first-keys").classList.add("is-done");
+theme.onChange = () => modes.drawPlane();
+document.addEventListener("visibilitychange", () => {
+  if (!document.hidden) return;
+  stick.release(); // a hidden page draws nothing and would leave the last deflection standing
+  if (cockpit.flying) link.sendStick({ ...stick.stick, pitch: 0, roll: 0, yaw: 0 }, performance.now());
+});
+
+cockpit.onFrame = (drawn) => {
+  const mine = cockpit.flying && !link.has(FLAG.replay);
+  indicator.draw(mine ? cockpit.held : { pitch: drawn.stick_pitch, roll: drawn.stick_roll, yaw: drawn.stick_yaw, throttle: drawn.stick_throttle });
+  topBar.showFlags();
+};
+cockpit.start();
+setInterval(() => topBar.showPace(), 1000);
+setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.drawn)), 4000);
+
+/** For tests and for the curious. */
+window.fdes = {
+  link, stick, chart, theme, drawn: cockpit.drawn, stats: cockpit.stats, hud: cockpit.hud,
+  get world() {
+    return cockpit.world;
+  },
+};

@@ -1,0 +1,130 @@
+/**
+ * The animation loop: sample the stick and send it, carry the last state forward to now, draw world, head-up display,
+ * instruments and charts. It knows no buttons; app.js connects those.
+ */
+
+import { camera } from "./camera.js";
+import { Hud } from "./hud.js";
+import { FLAG } from "./link.js";
+import { FrameClock, carryForward } from "./motion.js";
+import { makeWorld } from "./world.js";
+
+const KEPT = 3000; // latencies remembered
+const CHART_EVERY = 2; // frames: 30 pictures a second are smooth enough for a moving chart
+
+export class Cockpit {
+  /** `parts`: canvases world, hud, instruments, chart; and the link, stick, panel, chart, theme. */
+  constructor(parts, { worldKind = "auto", look = null } = {}) {
+    Object.assign(this, parts);
+    this.worldKind = worldKind;
+    this.fixedLook = look;
+    this.flying = true; // false for an observer: the stick is not sent
+    this.clock = new FrameClock();
+    this.hud = new Hud(parts.hudCanvas);
+    this.drawn = {};
+    this.stats = { frames: 0, firstFrameAt: null, latencies: [], world: "", scale: 1 };
+    this.lastEcho = 0;
+    this.lastAt = 0;
+    this.resized = true;
+    this.trimWanted = true;
+    const watch = new ResizeObserver(() => (this.resized = true));
+    for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) watch.observe(canvas);
+    this.link.on("frame", (link) => this.receive(link));
+    this.onFrame = () => {};
+    this.useWorld(worldKind);
+  }
+
+  useWorld(kind) {
+    this.world = makeWorld(this.worldCanvas, kind, (lost) => {
+      this.worldCanvas = lost;
+      this.useWorld("canvas2d");
+    });
+    this.worldCanvas = this.world.canvas;
+    this.stats.world = this.world.constructor.kind;
+    this.resized = true;
+  }
+
+  start() {
+    const loop = () => {
+      requestAnimationFrame(loop); // first, so that an exception below cannot end the loop
+      this.frame(performance.now());
+    };
+    requestAnimationFrame(loop);
+  }
+
+  /** The bugs of the instruments stand at the state in which the next flight begins. */
+  expectTrim() {
+    this.trimWanted = true;
+  }
+
+  receive(link) {
+    this.clock.receive(link.t, link.receivedAt);
+    this.chart.record(link.t, link.values);
+    if (link.t < this.lastT) this.trimWanted = true;
+    this.lastT = link.t;
+    if (this.trimWanted) {
+      this.trimWanted = false;
+      this.panel.setTrim(link.t < 0.5 ? link.copyTo({}) : null);
+    }
+  }
+
+  frame(now) {
+    this.held = this.stick.read(now);
+    if (this.flying) this.link.sendStick(this.held, now);
+    if (!this.link.frames) return;
+    if (this.resized) this.resize();
+    this.draw(now);
+    this.count(now);
+  }
+
+  draw(now) {
+    const { link, drawn } = this;
+    link.copyTo(drawn);
+    const resting = link.has(FLAG.frozen | FLAG.ended | FLAG.replay) || !link.alive;
+    if (!resting) carryForward(drawn, this.clock.age(link.t, now));
+    drawn.t = link.t;
+
+    const ratio = devicePixelRatio;
+    this.world.look = this.fixedLook ?? "day";
+    this.world.draw(drawn, this.worldCanvas.width / this.hudCanvas.clientWidth);
+    const cam = camera(this.hudCanvas.width / ratio, this.hudCanvas.height / ratio, drawn);
+    this.hud.draw(drawn, cam, link.t, this.words(), ratio);
+    this.panel.draw(drawn, ratio);
+    if (this.stats.frames % CHART_EVERY === 0) this.chart.draw(this.theme.colors, ratio);
+    drawn.hudHorizon = this.hud.horizon;
+    drawn.worldHorizon = this.world.horizon;
+    this.onFrame(drawn);
+  }
+
+  words() {
+    const { link } = this;
+    const big = !link.alive ? "NO DATA" : link.has(FLAG.replay) ? "REPLAY" : link.has(FLAG.frozen) ? "FREEZE" : "";
+    return { big: link.has(FLAG.ended) && link.alive ? "" : big, small: link.has(FLAG.beyondLinear) ? "LINEAR MODEL BEYOND 15 DEG" : "" };
+  }
+
+  count(now) {
+    const { stats, link, world } = this;
+    stats.frames += 1;
+    stats.firstFrameAt ??= performance.now();
+    if (link.echo.stamp && link.echo.sequence !== this.lastEcho) {
+      this.lastEcho = link.echo.sequence;
+      stats.latencies.push(performance.now() - link.echo.stamp);
+      if (stats.latencies.length > KEPT) stats.latencies.splice(0, KEPT / 2);
+    }
+    if (this.lastAt && world.adapt?.(now - this.lastAt)) this.resized = true;
+    this.lastAt = now;
+    stats.scale = world.scale ?? 1;
+  }
+
+  resize() {
+    this.resized = false;
+    fit(this.worldCanvas, devicePixelRatio * (this.world.scale ?? 1));
+    for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) fit(canvas, devicePixelRatio);
+  }
+}
+
+function fit(canvas, ratio) {
+  const { width, height } = canvas.getBoundingClientRect();
+  const size = [Math.max(2, Math.round(width * ratio)), Math.max(2, Math.round(height * ratio))];
+  if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+}

@@ -1,0 +1,103 @@
+/** Points of the land through a camera onto a 2-D canvas, cut off in front of the eye. */
+
+import { toBody } from "./camera.js";
+
+const NEAR = 12; // m ahead of the eye: what is closer is cut off
+const FINEST = 0.5; // px: a strip is never drawn thinner, or it would flicker
+
+export class Projector {
+  constructor(context, cam) {
+    this.context = context;
+    this.cam = cam;
+  }
+
+  /** Body coordinates of a place on the ground, or `up` meters above it. */
+  place(north, east, up = 0) {
+    const { cam } = this;
+    return toBody(cam.axes, north - cam.north, east - cam.east, cam.eye - up);
+  }
+
+  /** Whether a disc of `radius` on the ground lies wholly behind the eye. */
+  behind(north, east, radius) {
+    return this.place(north, east)[0] < -radius * 1.5;
+  }
+
+  toScreen([x, y, z]) {
+    const { cx, cy, f } = this.cam;
+    return [cx + (f * y) / x, cy + (f * z) / x];
+  }
+
+  /** A flat rectangle on the ground. */
+  rectangle(south, north, west, east, color) {
+    this.polygon([[south, west], [north, west], [north, east], [south, east]], color);
+  }
+
+  /** A filled polygon of ground points [north, east]. */
+  polygon(points, color) {
+    this.fill(points.map(([n, e]) => this.place(n, e)), color);
+  }
+
+  /** A filled polygon of points [north, east, up]. */
+  solid(points, color) {
+    this.fill(points.map(([n, e, up]) => this.place(n, e, up)), color);
+  }
+
+  /** The ground between two lines of points, drawn link by link: a long curved band is no convex polygon. */
+  band(left, right, color) {
+    for (let i = 1; i < left.length; i++) this.polygon([left[i - 1], left[i], right[i], right[i - 1]], color);
+  }
+
+  /** A straight road of `width` [m]; in the distance a hairline. */
+  strip(n0, e0, n1, e1, width, color) {
+    const line = clip([this.place(n0, e0), this.place(n1, e1)], false);
+    if (line.length < 2) return;
+    const [a, b] = line;
+    const along = [n1 - n0, e1 - e0];
+    const half = width / 2 / Math.hypot(...along);
+    const [dn, de] = [-along[1] * half, along[0] * half];
+    this.polygon([[n0 + dn, e0 + de], [n1 + dn, e1 + de], [n1 - dn, e1 - de], [n0 - dn, e0 - de]], color);
+    const { context } = this;
+    context.strokeStyle = color;
+    context.lineWidth = FINEST;
+    context.beginPath();
+    context.moveTo(...this.toScreen(a));
+    context.lineTo(...this.toScreen(b));
+    context.stroke();
+  }
+
+  /** A light on the ground: never smaller than a pixel, so that it is seen from afar. */
+  lamp(north, east, color) {
+    const point = this.place(north, east, 0.5);
+    if (point[0] < NEAR) return;
+    const [x, y] = this.toScreen(point);
+    const size = Math.min(3, Math.max(1.1, (this.cam.f * 0.8) / point[0]));
+    this.context.fillStyle = color;
+    this.context.fillRect(x - size / 2, y - size / 2, size, size);
+  }
+
+  fill(corners, color) {
+    const visible = clip(corners, true);
+    if (visible.length < 3) return;
+    const { context } = this;
+    context.beginPath();
+    visible.forEach((corner, i) => context[i ? "lineTo" : "moveTo"](...this.toScreen(corner)));
+    context.fillStyle = color;
+    context.fill();
+  }
+}
+
+/** The part of a polygon (or, if not `closed`, of a line) ahead of the near plane. Sutherland and Hodgman (1974). */
+function clip(corners, closed) {
+  if (corners.every(([x]) => x >= NEAR)) return corners;
+  const kept = [];
+  const sides = closed ? corners.length : corners.length - 1;
+  for (let i = 0; i < corners.length; i++) {
+    const [a, b] = [corners[i], corners[(i + 1) % corners.length]];
+    if (a[0] >= NEAR) kept.push(a);
+    if (i < sides && a[0] >= NEAR !== b[0] >= NEAR) {
+      const share = (NEAR - a[0]) / (b[0] - a[0]);
+      kept.push([NEAR, a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])]);
+    }
+  }
+  return kept;
+}

@@ -1,0 +1,104 @@
+/** Top bar and messages: what the server and the loop tell, in chips and words. */
+
+import { byId } from "./dom.js";
+import { FLAG } from "./link.js";
+import { compass, degrees, feet, knots, minutes } from "./units.js";
+
+const MESSAGE_STAYS = 6000; // ms
+const SLOW_CLOCK = 0.98; // real-time factor below which the clock is said to lag
+
+/** Sets text only when it changes: assistive technology is told of every change. */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export class TopBar {
+  constructor(link, cockpit, stick) {
+    Object.assign(this, { link, cockpit, stick, flags: null, status: null, framesBefore: 0, timer: null });
+  }
+
+  showHello(hello) {
+    byId("link").title = `Session ${hello.session}, FDES ${hello.fdes}`;
+    this.session = hello.session;
+    this.showConnection(true);
+  }
+
+  showAircraft(aircraft) {
+    write(byId("aircraft-name"), aircraft.name);
+    write(byId("aircraft-condition"), aircraft.condition_name + (aircraft.variant === "printed" ? ", as printed" : ""));
+    write(byId("method"), `${aircraft.integrator} · 1/${Math.round(1 / aircraft.dt)} s · linear “${aircraft.form}”`);
+    document.title = `${aircraft.name} · FDES`;
+  }
+
+  showStatus(status) {
+    this.status = status;
+    const slow = status.real_time_factor < SLOW_CLOCK && !status.frozen && !this.link.has(FLAG.ended);
+    write(byId("pace"), `${status.real_time_factor.toFixed(2)}×`);
+    byId("pace").classList.toggle("warn", slow);
+    write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
+    if (status.notice && !this.link.has(FLAG.ended)) this.say(status.notice);
+    this.flags = null;
+  }
+
+  /** Freeze and record buttons, and the end of a flight; called each frame, so it looks for a change first. */
+  showFlags() {
+    if (this.link.flags === this.flags) return;
+    this.flags = this.link.flags;
+    const frozen = this.link.has(FLAG.frozen) && !this.link.has(FLAG.ended);
+    byId("freeze").setAttribute("aria-pressed", frozen);
+    write(byId("freeze-word"), frozen ? "Resume" : "Freeze");
+    const recording = this.link.has(FLAG.recording);
+    byId("record").setAttribute("aria-pressed", recording);
+    write(byId("record-word"), recording ? "Recording" : "Record");
+    const ended = this.link.has(FLAG.ended);
+    byId("ended").hidden = !ended;
+    if (ended) write(byId("ended-words"), this.status?.notice ?? "The flight has ended. Press R to start again.");
+    byId("pace").classList.toggle("late", this.link.has(FLAG.late));
+  }
+
+  showConnection(open) {
+    write(byId("link-words"), open ? (this.session ?? "connected") : "reconnecting");
+    byId("link").classList.toggle("ok", open);
+    byId("link").classList.toggle("warn", !open);
+  }
+
+  /** Once a second: pictures a second, time from stick to picture, and who moves the stick. */
+  showPace() {
+    const { stats } = this.cockpit;
+    const recent = stats.latencies.slice(-60).sort((a, b) => a - b);
+    const latency = recent.length ? `${recent[recent.length >> 1].toFixed(0)} ms` : "–";
+    write(byId("frames"), `${stats.frames - this.framesBefore} fps · ${latency}`);
+    this.framesBefore = stats.frames;
+    write(byId("control"), this.cockpit.flying ? this.stick.source : "Observer");
+  }
+
+  say(text) {
+    this.toast(text, false);
+  }
+
+  complain(text) {
+    this.toast(text, true);
+  }
+
+  toast(text, bad) {
+    const toast = byId("toast");
+    toast.classList.toggle("problem", bad);
+    write(toast, text);
+    toast.hidden = false;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => (toast.hidden = true), MESSAGE_STAYS);
+  }
+}
+
+/** The state in a sentence, for those who do not see the instruments. */
+export function sayState({ cas, h, psi, phi, theta }) {
+  const bank = Math.round(degrees(phi));
+  const pitch = Math.round(degrees(theta));
+  return [
+    `Airspeed ${Math.round(knots(cas))} knots`,
+    `altitude ${Math.round(feet(h) / 10) * 10} feet`,
+    `heading ${Math.round(compass(psi)) % 360}`,
+    bank ? `banked ${Math.abs(bank)} degrees ${bank > 0 ? "right" : "left"}` : "wings level",
+    `pitch ${pitch} degrees.`,
+  ].join(", ");
+}
