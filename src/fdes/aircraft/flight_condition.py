@@ -1,9 +1,10 @@
 """An aircraft in one flight condition: the numbers a plant is made of, in SI, and where each is from."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+from fdes.aircraft.check import waived_notes
 from fdes.aircraft.schema import AircraftFile, Assumed, Condition, Confidence, Number, Part, Variant
 from fdes.errors import AircraftFileError
 from fdes.physics.atmosphere import standard_atmosphere
@@ -107,7 +108,7 @@ def flight_condition(
         document=document,
     )
     _check(ready, drag)
-    return ready
+    return replace(ready, notes=(*ready.notes, *waived_notes(ready)))
 
 
 def _numbers(file: AircraftFile, condition: Condition, variant: Variant) -> dict[str, Number]:

@@ -12,8 +12,9 @@ other works in which the same value was found. What no source gives stands under
 from collections.abc import Callable
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
+from fdes.aircraft.check import RULES
 from fdes.errors import SpecError, nearest
 from fdes.units import si_unit, to_si, units_of
 
@@ -224,6 +225,23 @@ class Condition(Part):
     assumed: Assumed = Field(default_factory=Assumed)
 
 
+class Waiver(Part):
+    """A finding of `fdes check` that is known and stays: of which rule, in which condition (or all), and why."""
+
+    rule: str
+    condition: str | None = None
+    reason: str = Field(min_length=1)
+
+    @field_validator("rule")
+    @classmethod
+    def _known(cls, rule: str) -> str:
+        if rule not in RULES:
+            near = nearest(rule, RULES)
+            hint = f"Did you mean {near!r}?" if near else "Take the name that fdes check shows"
+            raise ValueError(f"is {rule!r}, which is no rule of fdes check. {hint}")
+        return rule
+
+
 class AircraftFile(Part):
     """A whole file."""
 
@@ -239,6 +257,7 @@ class AircraftFile(Part):
     mass: MassProperties
     assumed: Assumed = Field(default_factory=Assumed)
     conditions: tuple[Condition, ...] = Field(strict=False)
+    waivers: tuple[Waiver, ...] = Field(default=(), strict=False)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -263,6 +282,16 @@ class AircraftFile(Part):
             for name in Assumed.model_fields:
                 if self.assumption(name, condition) is None:
                     raise ValueError(f"[assumed] lacks {name!r}, and condition {condition.id!r} does not give its own")
+        return self
+
+    @model_validator(mode="after")
+    def _waivers_have_their_conditions(self) -> Self:
+        ids = [c.id for c in self.conditions]
+        for waiver in self.waivers:
+            if waiver.condition not in {None, *ids}:
+                near = nearest(str(waiver.condition), ids)
+                hint = f"Did you mean {near!r}?" if near else f"Known: {', '.join(ids)}"
+                raise ValueError(f"{waiver.rule} is waived for an unknown condition {waiver.condition!r}. {hint}")
         return self
 
     def assumption(self, name: str, condition: Condition) -> Assumption | None:

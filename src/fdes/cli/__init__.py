@@ -13,6 +13,7 @@ from typer.core import TyperGroup
 
 from fdes import __version__
 from fdes.cli.aircraft import app as aircraft
+from fdes.cli.check import check
 from fdes.cli.derivatives import derivatives
 from fdes.cli.fly import fly
 from fdes.cli.modes import modes
@@ -54,6 +55,7 @@ app.command(epilog="Example: fdes derivatives B747 --condition M0.90_40kft --jso
 app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
 )(simulate)
+app.command(epilog="Example: fdes check A-4D")(check)
 app.add_typer(aircraft, name="aircraft")
 app.add_typer(verify, name="verify")
 
