@@ -70,7 +70,8 @@ class Sortie:
             self.end(f"The flight departed after t = {self.frame.t:.3f} s: {ending}.")
 
     def reset(self) -> None:
-        """Be back in undisturbed flight with the next frame."""
+        """Be back in undisturbed flight with the next frame, the controls as they were at the start."""
+        self.given = self.given._replace(stick=self._rest)
         self._edit = Edit(state=self.craft.start, note={"reset": True})
         if self.frozen:
             self.advance()

@@ -79,7 +79,8 @@ async function fly(aircraft, condition, variant) {
 const actions = {
   freeze: () => command("freeze", { value: !link.has(FLAG.frozen) }),
   reset: async () => {
-    if (await command("reset")) stick.toTrim();
+    stick.toTrim(); // first, so that what the stick did before does not disturb the new flight
+    await command("reset");
   },
   step: () => command("step"),
   record: () => command("record", { value: !link.has(FLAG.recording) }),
