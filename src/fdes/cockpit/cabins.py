@@ -1,6 +1,7 @@
 """Who sits in which session: joining, leaving, commands, and what everybody in it is told. All in the event loop."""
 
 import asyncio
+import contextlib
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +22,7 @@ from fdes.flight.recorder import SUFFIX
 MAX_SESSIONS = 64
 MAX_VIEWERS = 16  # per session
 GRACE = 10.0  # s that a session waits, standing still, for someone to come back
+PARTING = 0.5  # s
 LARGEST_REPLAY = 300e6  # bytes
 RECENT = 10 * RATE  # ticks over which lateness is judged
 
@@ -45,6 +47,8 @@ class Cabins:
         self.hub: Hub[Session] = Hub()
         self.fleet, self.recordings, self.record = fleet, recordings, record
         self.cabins: dict[str, Cabin] = {}
+        self._nobody = asyncio.Event()
+        self._nobody.set()
         self._background: set[asyncio.Task[None]] = set()
 
     def open(self) -> None:
@@ -52,11 +56,13 @@ class Cabins:
         self._loop = asyncio.get_running_loop()
         self.hub.start(self._loop, self._show)
 
-    def dismiss(self) -> None:
-        """Send everybody away."""
+    async def dismiss(self) -> None:
+        """Send everybody away; whoever has not gone within `PARTING` is left to the server."""
         for cabin in self.cabins.values():
             for viewer in cabin.viewers:
                 viewer.dismiss()
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(self._nobody.wait(), PARTING)
 
     async def close(self) -> None:
         """Stop flying, and end every recording."""
@@ -79,6 +85,7 @@ class Cabins:
             )
         viewer = Viewer("observer" if cabin.pilot else "pilot")
         cabin.viewers.add(viewer)
+        self._nobody.clear()
         cabin.pilot = cabin.pilot or viewer
         viewer.tell(**self._hello(cabin, viewer))
         if cabin.leaving is not None:
@@ -90,6 +97,8 @@ class Cabins:
     def leave(self, cabin: Cabin, viewer: Viewer) -> None:
         """Leave the seat. A flight without a pilot goes on hands off; without anybody it waits, then ends."""
         cabin.viewers.discard(viewer)
+        if not self.viewers():
+            self._nobody.set()
         cabin.session.changed = True
         if cabin.pilot is viewer:
             cabin.pilot = None

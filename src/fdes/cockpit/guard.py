@@ -48,7 +48,7 @@ class Guard:
         elif not reads and origin is not None and not same_origin(origin, host):
             refused = f"Pages of {origin[:80]!r} may not use this server."
         if refused is None:
-            await self._app(scope, receive, _with_headers(send))
+            await self._app(scope, receive, _with_headers(send) if scope["type"] == "http" else send)
         elif scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008, "reason": refused})
         else:

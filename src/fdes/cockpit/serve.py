@@ -95,7 +95,7 @@ class Server(uvicorn.Server):
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         """Dismiss the viewers, then stop."""
-        self._cabins.dismiss()
+        await self._cabins.dismiss()
         await super().shutdown(sockets)
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
@@ -106,17 +106,16 @@ class Server(uvicorn.Server):
 
 def listening(host: str, port: int) -> socket.socket:
     """A socket that listens at `host`, a name or an address, and `port`. Raises SpecError, with a port that is free."""
+    if not 0 <= port <= 65535:
+        raise SpecError(f"{port} is no port; ports are 0 to 65535. Use --port 0 for any free one.")
     try:
-        family, *_, address = socket.getaddrinfo(host or None, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[
-            0
-        ]
+        found = socket.getaddrinfo(host or None, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+        family, *_, address = found[0]
         return socket.create_server(address[:2], family=family, backlog=256)
     except (socket.gaierror, UnicodeError):
         raise SpecError(
             f"There is no host {host!r} here. Use 127.0.0.1 for this machine, 0.0.0.0 for its whole network."
         ) from None
-    except OverflowError:
-        raise SpecError(f"{port} is no port; ports are 0 to 65535. Use --port 0 for any free one.") from None
     except OSError as trouble:
         why = {
             errno.EADDRINUSE: f"Port {port} is in use.",

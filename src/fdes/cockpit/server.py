@@ -8,7 +8,7 @@ from collections.abc import AsyncIterator, Iterator
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
@@ -27,7 +27,9 @@ from fdes.cockpit.hub import percentiles
 from fdes.cockpit.viewer import FLOOD, MAX_RATE, RateLimit, Viewer
 from fdes.errors import FdesError, RecordingError
 from fdes.flight import Recording, list_recordings, open_recording
-from fdes.flight.recording import Listed
+
+if TYPE_CHECKING:
+    from fdes.flight.recording import Listed
 
 HERE = Path(__file__).parent
 BLOCK = 500  # rows of CSV made at a time

@@ -1,7 +1,7 @@
 """What everybody in a session sees: a flight, or a recording instead of it. What a tick does, what a pilot may ask for.
 
-The hub ticks a session from its own thread; all other calls come from elsewhere. Every method holds the session's lock
-for some microseconds, and none waits for a disk while it does.
+The hub ticks a session from its own thread; all other calls come from elsewhere. They hold the session's lock for some
+microseconds, and none waits for a disk while it does.
 """
 
 import threading
@@ -88,9 +88,9 @@ class Session:
             }
 
     def put(self, given: wire.Input) -> bool:
-        """Take the pilot's newest input. True when with it a recording should begin."""
-        with self._lock:
-            return self._sortie.take(given) and self._record and self._sortie.recorder is None
+        """Take the pilot's newest input, without waiting for a tick. True when with it a recording should begin."""
+        sortie = self._sortie
+        return sortie.take(given) and self._record and sortie.recorder is None
 
     def let_go(self) -> None:
         """Nobody holds the stick any more: it centers, and the throttle stays."""

@@ -1,0 +1,238 @@
+"""A session without a server: how flights end, what becomes of their recordings, and replays."""
+
+import math
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from fdes.aircraft import load
+from fdes.cockpit import sortie as sortie_module
+from fdes.cockpit import wire
+from fdes.cockpit.craft import Craft, condition_name, make_craft
+from fdes.cockpit.fleet import Fleet, craft_of
+from fdes.cockpit.replay import replay_of
+from fdes.cockpit.session import Session
+from fdes.control import Stick
+from fdes.errors import NoSuchPart, RecordingError, SpecError
+from fdes.flight import Edit, Recording, open_recording
+from fdes.flight.recorder import columns_of
+
+CRAFT = make_craft(load("A-4D").at())
+TRIM = CRAFT.condition.trim_throttle
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> Iterator[Session]:
+    session = Session("one", CRAFT, tmp_path)
+    session.watched = True
+    yield session
+    session.close()
+    wait_for_recordings()
+
+
+def wait_for_recordings() -> None:
+    for thread in threading.enumerate():
+        if thread.name.startswith("closing"):
+            thread.join(10.0)
+
+
+def ticks(session: Session, count: int) -> list[bytes]:
+    frames = [session.tick(number, late=False) for number in range(count)]
+    return [frame for frame in frames if frame is not None]
+
+
+def stick(**controls: float) -> wire.Input:
+    return wire.Input(Stick(**{"throttle": TRIM, **controls}))
+
+
+def test_sixty_frames_a_second_and_ten_when_frozen(session: Session) -> None:
+    assert len(ticks(session, 120)) == pytest.approx(60, abs=1)
+    session.freeze()
+    assert len(ticks(session, 120)) == pytest.approx(10, abs=1)
+
+
+def test_nothing_moves_while_nobody_watches(session: Session) -> None:
+    session.watched = False
+    assert ticks(session, 50) == []
+    assert session._sortie.frame.t == 0.0
+
+
+def test_how_it_stands_is_told_each_second(session: Session) -> None:
+    told = 0
+    for number in range(600):
+        session.changed = False
+        session.tick(number, late=False)
+        told += session.changed
+    assert told == 5
+
+
+def test_outside_the_linear_range_is_flagged(session: Session) -> None:
+    session.put(stick(roll=1.0))
+    flags = [int.from_bytes(frame[2:4], "little") for frame in ticks(session, 120)]
+    assert not flags[0] & wire.OUTSIDE
+    assert flags[-1] & wire.OUTSIDE
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"h": -1.0}, "You met the ground. Press R to start again."),
+        ({"u": -CRAFT.setup.plant.start().u - 135.9}, "the airspeed fell to 0."),
+        ({"w": 1e10}, "The flight departed at t = "),
+        ({"w": math.nan}, "The flight departed at t = "),
+    ],
+)
+def test_how_flights_end(session: Session, changes: dict[str, float], words: str) -> None:
+    flown = session._sortie
+    flown._edit = Edit(state=CRAFT.start._replace(**changes))
+    ticks(session, 3)
+    status = session.status()
+    assert status["frozen"]
+    assert words in status["notice"]
+    for refused in (session.freeze, session.run, session.step):
+        with pytest.raises(SpecError, match="The flight has ended"):
+            refused()
+    session.reset()
+    assert session.status() == {"frozen": False, "recording": None, "replay": None, "notice": None}
+    assert ticks(session, 5)
+
+
+def test_a_flight_is_recorded_from_its_first_movement_and_ends_with_it(session: Session, tmp_path: Path) -> None:
+    assert not session.put(stick())
+    assert session.put(stick(roll=0.5))
+    assert not session.put(stick(roll=0.6))
+    name = session.start_recording()
+    ticks(session, 30)
+    session.reset()
+    ticks(session, 10)
+    session.fail(ValueError("planted"))
+    wait_for_recordings()
+    recording = open_recording(tmp_path / f"{name}.fdes")
+    assert recording.complete
+    assert len(recording.data) == 40
+    assert [edit["reset"] for edit in recording.edits] == [True]
+    assert recording["phi"][30] == 0.0
+
+
+def test_recording_is_not_automatic_where_it_is_not_wanted(tmp_path: Path) -> None:
+    session = Session("one", CRAFT, tmp_path, record=False)
+    assert not session.put(stick(roll=0.5))
+    session.start_recording()
+    session.close()
+    wait_for_recordings()
+
+
+def test_another_aircraft_ends_the_recording(session: Session, tmp_path: Path) -> None:
+    name = session.start_recording()
+    ticks(session, 10)
+    session.change(make_craft(load("NAVION").at()))
+    wait_for_recordings()
+    assert open_recording(tmp_path / f"{name}.fdes").complete
+    assert session.status()["recording"] is None
+    assert session.shown.briefing["id"] == "NAVION"
+
+
+def test_a_recording_does_not_grow_for_ever(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sortie_module, "LONGEST_RECORDING", 0.5)
+    session.start_recording()
+    ticks(session, 100)
+    assert session.status()["recording"] is None
+    assert "The recording ended after 0 minutes, and was kept." in session.status()["notice"]
+    assert not session.status()["frozen"]
+
+
+def test_a_disk_that_fails_ends_the_recording_and_not_the_flight(session: Session) -> None:
+    session.start_recording()
+    recorder = session._sortie.recorder
+    assert recorder
+    recorder.trouble = "x.fdes could not be written: No space left on device."
+    ticks(session, 10)
+    status = session.status()
+    assert status["recording"] is None
+    assert "No space left on device" in status["notice"]
+    assert not status["frozen"]
+
+
+def test_a_folder_that_is_gone_is_told(tmp_path: Path) -> None:
+    session = Session("one", CRAFT, tmp_path / "gone")
+    with pytest.raises(SpecError, match=r"The flight is not recorded: .*gone cannot be written \(No such file"):
+        session.start_recording()
+    assert "is not recorded" in session.status()["notice"]
+
+
+def recording_of(craft: Craft, frames: int, leave_out: str = "") -> Recording:
+    columns = columns_of(type(craft.start))
+    data = np.arange(frames)[:, None] / 120 + 5.0 + np.zeros(len(columns))
+    kept = [i for i, c in enumerate(columns) if c.name != leave_out]
+    return Recording(craft.header(), tuple(columns[i] for i in kept), data[:, kept], (), True)
+
+
+def test_a_replay_runs_at_its_own_pace_to_its_end_and_stays(session: Session) -> None:
+    ticks(session, 20)
+    flown = session._sortie.frame.t
+    session.play(replay_of("r", recording_of(CRAFT, 61)))
+    ticks(session, 30)
+    assert session.status()["replay"] == {"name": "r", "t": pytest.approx(0.25, abs=1e-3), "duration": 0.5}
+    session.changed = False
+    ticks(session, 60)
+    assert session.changed
+    assert session.status()["frozen"]
+    assert session.status()["replay"]["t"] == 0.5
+    session.run()
+    assert session.status()["replay"]["t"] == 0.0
+    session.freeze()
+    session.step()
+    assert session.status()["replay"]["t"] == pytest.approx(1 / 120, abs=1e-3)
+    session.seek(99.0)
+    assert session.status()["replay"]["t"] == 0.5
+    session.seek(-1.0)
+    assert session.status()["replay"]["t"] == 0.0
+    session.stop_replay()
+    assert session.status()["frozen"]
+    assert session._sortie.frame.t == flown
+
+
+def test_frames_of_a_replay_are_those_that_were_recorded() -> None:
+    replay = replay_of("r", recording_of(CRAFT, 121, leave_out="n_z"))
+    for k in range(121):
+        replay.seek(k / 120)
+        values = dict(zip([c.name for c in wire.CHANNELS], replay.frame(), strict=True))
+        assert values["phi"] == pytest.approx(5.0 + k / 120, rel=1e-6)
+        assert math.isnan(values["n_z"])
+
+
+def test_an_empty_recording_is_no_replay() -> None:
+    with pytest.raises(RecordingError, match="holds no frames"):
+        replay_of("r", recording_of(CRAFT, 0))
+
+
+def fleet(*said: str) -> Callable[[], Fleet]:
+    return lambda: Fleet(load("A-4D"), *said)
+
+
+def test_a_fleet_offers_the_hangar_and_says_what_it_has_not() -> None:
+    offered = Fleet(load("A-4D"), None, "corrected", "nelson", "exact")
+    craft = offered.craft("NAVION", None, "printed")
+    assert (craft.form, craft.integrator, craft.briefing["name"]) == ("nelson", "exact", "Ryan NAVION")
+    for wrong in (fleet("M9", "corrected", "full", "rk4"), fleet("M0.4_SL", "corrected", "fool", "rk4")):
+        with pytest.raises(NoSuchPart):
+            wrong()
+    with pytest.raises(NoSuchPart, match="integrator named 'rk5'"):
+        Fleet(load("A-4D"), None, "corrected", "full", "rk5")
+
+
+def test_a_recording_brings_its_aircraft_along() -> None:
+    craft = make_craft(load("B747").at(None, "printed"), "nelson", "euler")
+    again = craft_of("r", craft.header())
+    assert again
+    assert again.briefing == craft.briefing
+    assert craft_of("r", {}) is None
+    assert craft_of("r", craft.header() | {"document": {"format": 99}}) is None
+
+
+def test_condition_names() -> None:
+    assert condition_name(0.4, 0.0) == "M 0.40, sea level"
+    assert condition_name(0.8, 35_000 * 0.3048) == "M 0.80, 35,000 ft"
