@@ -116,8 +116,9 @@ def _failed_if_skipped_in_ci(report: Any, name: str) -> Any:
 
 @pytest.fixture(autouse=True)
 def _data_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """No test writes to, or reads from, the recordings of whoever runs it."""
+    """No test writes to, or reads from, the recordings and settings of whoever runs it."""
     monkeypatch.setenv("FDES_DATA", str(tmp_path / "fdes-data"))
+    monkeypatch.setenv("FDES_SETTINGS", str(tmp_path / "no-settings.toml"))
 
 
 @pytest.fixture(scope="session")

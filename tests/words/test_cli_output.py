@@ -16,7 +16,7 @@ from fdes.aircraft import catalogue
 from fdes.cli import app
 
 CONDITIONS = [(a.id, c.id) for a in catalogue() for c in a.conditions]
-COMMANDS = [["fly"], ["modes"], ["derivatives"], ["simulate"], ["aircraft"], ["aircraft", "list"], ["aircraft", "show"]]
+COMMANDS = [["fly"], ["modes"], ["derivatives"], ["simulate"], ["aircraft"], ["aircraft", "list"], ["aircraft", "show"], ["check"], ["settings"], ["verify", "textbooks"], ["verify", "paper"]]
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals and pipes as POSIX has them")
 
 

@@ -19,6 +19,7 @@ from fdes.cli.fly import fly
 from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
+from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_file
 from fdes.cli.simulate import simulate
 from fdes.cli.verify import app as verify
 from fdes.errors import FdesError
@@ -32,12 +33,20 @@ class Commands(TyperGroup):
     """The commands, and what becomes of a mistake in any of them."""
 
     def invoke(self, ctx: Any) -> Any:
-        """Run the command."""
+        """Run the command, with the user's settings for what is not said."""
         try:
+            ctx.default_map = read_settings(settings_file(), self._options())
             return super().invoke(ctx)
         except FdesError as mistake:
             complain(str(mistake))
             raise typer.Exit(2) from mistake
+
+    def _options(self) -> dict[str, list[str]]:
+        """What may be set: the options of each command, by the name in --help."""
+        return {
+            name: [p.name for p in command.params if p.name and p.name not in NOT_A_SETTING]
+            for name, command in self.commands.items()
+        }
 
 
 app = typer.Typer(
@@ -56,6 +65,7 @@ app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
 )(simulate)
 app.command(epilog="Example: fdes check A-4D")(check)
+app.command(epilog="Example: fdes settings")(settings)
 app.add_typer(aircraft, name="aircraft")
 app.add_typer(verify, name="verify")
 

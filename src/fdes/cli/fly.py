@@ -32,26 +32,32 @@ def fly(
         typer.Option(metavar="FOLDER", help="Where recordings are kept; else FDES_DATA says, or the platform."),
     ] = None,
     record: Annotated[bool, typer.Option("--record/--no-record", metavar=FLAG, help="Record every flight.")] = True,
+    verbose: Annotated[
+        bool, typer.Option("--verbose", metavar=FLAG, help="Show on stderr what the server does; a log is kept anyway.")
+    ] = False,
     json: Annotated[
         bool, typer.Option("--json", metavar=FLAG, help='Print one JSON line, {"url": ...}, when it listens.')
     ] = False,
 ) -> None:
     """Fly an aircraft in the browser. Ends with Ctrl+C."""
+    from fdes.cli.log import logged
     from fdes.cockpit import serve
+    from fdes.flight.storage import data_folder
 
-    serve(
-        host=host,
-        port=_usual_or_free(host) if port is None else port,
-        data=data,
-        open_browser=browser,
-        json_line=json,
-        aircraft=aircraft,
-        condition=condition,
-        variant=variant,
-        form=form,
-        integrator=integrator,
-        record=record,
-    )
+    with logged(data_folder(data), verbose=verbose):
+        serve(
+            host=host,
+            port=_usual_or_free(host) if port is None else port,
+            data=data,
+            open_browser=browser,
+            json_line=json,
+            aircraft=aircraft,
+            condition=condition,
+            variant=variant,
+            form=form,
+            integrator=integrator,
+            record=record,
+        )
 
 
 def _usual_or_free(host: str) -> int:
