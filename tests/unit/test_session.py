@@ -54,6 +54,23 @@ def test_sixty_frames_a_second_and_ten_when_frozen(session: Session) -> None:
     assert len(ticks(session, 120)) == pytest.approx(10, abs=1)
 
 
+def test_a_frame_goes_with_the_tick_that_flies_an_input(session: Session) -> None:
+    sent = []
+    for number in range(40):
+        if number % 2 and 10 <= number < 30:  # a page whose screen is in step with the odd ticks
+            session.put(stick(roll=number / 100))
+        if session.tick(number, late=False):
+            sent.append(number)
+    leading = [number for number in sent if 12 <= number < 30]
+    assert leading == list(range(13, 30, 2))
+    assert len(sent) == pytest.approx(20, abs=2)
+    quick = 0
+    for number in range(40, 160):
+        session.put(stick(roll=number / 1000))
+        quick += session.tick(number, late=False) is not None
+    assert quick == pytest.approx(60, abs=1)
+
+
 def test_nothing_moves_while_nobody_watches(session: Session) -> None:
     session.watched = False
     assert ticks(session, 50) == []

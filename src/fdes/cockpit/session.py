@@ -18,7 +18,7 @@ from fdes.cockpit.sortie import AGAIN, Sortie, open_recorder
 from fdes.control import Stick
 from fdes.errors import SpecError
 
-EVERY_MOVING, EVERY_STILL = 2, 12  # ticks between frames on the wire: 60 Hz, and 10 Hz while nothing moves
+EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
 EXCURSION = [c.name for c in wire.CHANNELS].index("excursion")
 
@@ -38,7 +38,10 @@ class Session:
         self._replayed = craft
         self._show = True
         self._sequence = 0
-        self._phase = zlib.crc32(name.encode()) % RATE  # sessions take turns in sending
+        self._sent = 0  # the tick of the last frame
+        self._led = False  # whether that was the first to fly an input
+        self._flown_with = self._sortie.flown_with  # the input that was flown in the last tick
+        self._phase = zlib.crc32(name.encode()) % RATE  # sessions take turns in telling how they stand
 
     @property
     def shown(self) -> Craft:
@@ -50,20 +53,13 @@ class Session:
         if not self.watched:
             return None
         with self._lock:
-            sortie, replay, turn = self._sortie, self._replay, number + self._phase
             moving = not self._frozen()
-            self.changed |= turn % RATE == 0
             if moving:
-                recorder = sortie.recorder
-                if replay is not None:
-                    replay.advance(DT)
-                else:
-                    sortie.advance()
-                if self._frozen() or sortie.recorder is not recorder:
-                    self._show = self.changed = True
-            if not self._show and turn % (EVERY_MOVING if moving else EVERY_STILL):
+                self._go_on()
+            self.changed |= (number + self._phase) % RATE == 0
+            if not self._due(number, moving):
                 return None
-            self._show = False
+            self._sent, self._show = number, False
             return self._pack(late)
 
     def fail(self, trouble: Exception) -> None:
@@ -201,6 +197,32 @@ class Session:
         with self._lock:
             self.watched = False
             self._sortie.release("session closed")
+
+    def _go_on(self) -> None:
+        recorder = self._sortie.recorder
+        if self._replay is not None:
+            self._replay.advance(DT)
+        else:
+            self._sortie.advance()
+        if self._frozen() or self._sortie.recorder is not recorder:
+            self._show = self.changed = True
+
+    def _due(self, number: int, moving: bool) -> bool:
+        """Whether a frame should be sent. While inputs come, they lead: a frame goes with the first tick of each.
+
+        A page sends its stick as often as its screen draws. Frames that answer come in step with that screen; others
+        would show the stick up to a frame later, and drift through the rhythm of the screen.
+        """
+        since = number - self._sent
+        fresh = self._sortie.flown_with is not self._flown_with
+        self._flown_with = self._sortie.flown_with
+        if not moving:
+            return self._show or since >= EVERY_STILL
+        patience = EVERY_MOVING + self._led - fresh
+        due = self._show or since >= patience
+        if due:
+            self._led = fresh
+        return due
 
     def _frozen(self) -> bool:
         return self._sortie.frozen if self._replay is None else self._replay.paused
