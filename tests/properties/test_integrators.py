@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from fdes.physics.runge_kutta import Tableau, step
+from fdes.physics.runge_kutta import Tableau, stability_function, step
 from fdes.shelf import shelf
 
 NAMES = shelf("integrators").names()
@@ -43,15 +43,11 @@ def test_measured_order_is_the_claimed_order(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("z", [complex(-0.5, 0.0), complex(-0.3, 0.8), complex(0.1, -1.0)])
 def test_linear_step_is_the_stability_function(name: str, z: complex) -> None:
-    """R(z) = 1 + z b (1 - z A)^-1 1, Hairer and Wanner II, eq. IV.3.2, stage by stage."""
+    """A step of y' = z y is R(z)."""
     tableau: Tableau = shelf("integrators").get(name)
 
     def linear(y: tuple[float, ...]) -> tuple[float, ...]:
         x = z * complex(*y)
         return x.real, x.imag
 
-    stages: list[complex] = []
-    for row in tableau.a:
-        stages.append(1.0 + z * sum(a * k for a, k in zip(row, stages, strict=False)))
-    expected = 1.0 + z * sum(b * k for b, k in zip(tableau.b, stages, strict=True))
-    assert complex(*step(linear, (1.0, 0.0), 1.0, tableau)) == pytest.approx(expected)
+    assert complex(*step(linear, (1.0, 0.0), 1.0, tableau)) == pytest.approx(stability_function(tableau, z))

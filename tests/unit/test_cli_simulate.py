@@ -116,6 +116,14 @@ def test_what_cannot_be_written_to_the_end_is_not_there_at_all(tmp_path: Path, t
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_step_beyond_the_stability_limit_is_announced() -> None:
+    words = ["A-4D", "--variant", "printed", "--form", "paper", *STEP, "--duration", "6", "--integrator", "euler"]
+    assert (
+        "beyond the stability limit of euler here, 0.0558 s, set by the dutch roll" in run(*words, "--dt", "0.1").stderr
+    )
+    assert "stability limit" not in run(*words, "--dt", "0.04").stderr
+
+
 def test_initial_perturbations_are_where_the_flight_starts() -> None:
     columns = flown("A-4D", "--initial", "beta=5deg, u=+10kt", "--initial", "theta=-1deg", "--duration", "1")
     assert columns["state_beta [rad]"][0] == pytest.approx(5 * DEG)

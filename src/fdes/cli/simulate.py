@@ -94,6 +94,7 @@ def simulate(
         screen().print(f"{out}: {rows} rows, {columns} columns", soft_wrap=True)
     else:
         _summarize(response, units)
+    _note_step(ready, form, integrator, dt / substeps)
     _note_limits(response, ready, limits)
     _note_excursion(response)
 
@@ -176,6 +177,22 @@ def _summarize(response: "Recording", units: str) -> None:
         note("Nothing moved: the aircraft stays in trim. Put something in with --input 'step elevator -1deg at 1s'.")
         return
     screen().print(drawn)
+
+
+def _note_step(ready: "FlightCondition", form: str, integrator: str, step: float) -> None:
+    """Say when the integrator makes a stable mode grow."""
+    from fdes.analysis import modes
+    from fdes.analysis.step_limit import step_limit
+    from fdes.cli.options import form_of_equations
+    from fdes.flight import plant_of
+
+    found = step_limit(plant_of(ready, form, integrator, step).integrator, modes(ready, form_of_equations(form)))
+    if found and step > found[0]:
+        limit, mode = found
+        note(
+            f"A step of {step:g} s is beyond the stability limit of {integrator} here, {limit:.3g} s, set by the "
+            f"{mode.name.replace('_', ' ')}: what grows is the integrator's doing, not the aircraft's."
+        )
 
 
 def _note_limits(response: "Recording", ready: "FlightCondition", limits: bool) -> None:

@@ -28,6 +28,14 @@ def step(f: Callable[[Vector], Vector], y: Vector, h: float, tableau: Tableau) -
     return _along(y, h, tableau.b, slopes)
 
 
+def stability_function(tableau: Tableau, z: complex) -> complex:
+    """R(z): what one step makes of y' = lambda y, h lambda being z. Hairer and Wanner II, eq. IV.3.2, by stages."""
+    stages: list[complex] = []
+    for row in tableau.a:
+        stages.append(1.0 + z * sum([a * k for a, k in zip(row, stages, strict=False)]))
+    return 1.0 + z * sum([b * k for b, k in zip(tableau.b, stages, strict=True)])
+
+
 def _along(y: Vector, h: float, weights: tuple[float, ...], slopes: list[Vector]) -> Vector:
     """y + h * sum(weight * slope). One pass per slope: nested sums take three times as long on a dozen states."""
     for weight, slope in zip(weights, slopes, strict=False):
