@@ -9,11 +9,11 @@ export const needs = ["cas"];
 const SCALES = [{ top: 200, minor: 5, major: 20 }, { top: 400, minor: 10, major: 50 }, { top: 700, minor: 20, major: 100 }, { top: 1400, minor: 50, major: 200 }];
 const SWEEP = 325 * DEG;
 
-const scaleFor = (trim) => SCALES.find(({ top }) => top >= (trim ? knots(trim.cas) * 1.7 : 300)) ?? SCALES.at(-1);
+const scaleFor = ({ cas = 0 }) => SCALES.find(({ top }) => top >= 1.7 * knots(cas)) ?? SCALES.at(-1);
 const angle = (speed, { top }) => (clamp(speed, 0, top) / top) * SWEEP;
 
-export function face(dial, trim) {
-  const scale = scaleFor(trim);
+export function face(dial, start) {
+  const scale = scaleFor(start);
   for (let v = 0; v <= scale.top; v += scale.minor) {
     const major = v % scale.major === 0;
     dial.tick(angle(v, scale), major ? 0.73 : 0.79, 0.86, major ? 0.022 : 0.012);
@@ -21,10 +21,10 @@ export function face(dial, trim) {
   }
   dial.text("AIRSPEED", 0, -0.26, 0.095, GREY);
   dial.text("KNOTS", 0, 0.3, 0.095, GREY);
-  if (trim) dial.bug(angle(knots(trim.cas), scale));
+  if (start.trimmed) dial.bug(angle(knots(start.cas), scale));
 }
 
-export function draw(dial, { cas }, trim) {
-  dial.needle(angle(knots(cas), scaleFor(trim)), 0.8, 0.03, { color: cas < 0 ? AMBER : undefined });
+export function draw(dial, { cas }, start) {
+  dial.needle(angle(knots(cas), scaleFor(start)), 0.8, 0.03, { color: cas < 0 ? AMBER : undefined });
   dial.cap();
 }

@@ -6,7 +6,7 @@ import { DEG, clamp, feetPerMinute } from "../page/units.js";
 export const title = "vertical speed";
 export const needs = ["h_dot"];
 
-const STOPS = [[0, 0], [1, 42], [2, 82], [4, 130], [6, 168]]; // thousand ft/min -> degrees from level
+const STOPS = [[0, 0], [1, 42], [2, 82], [4, 130], [6, 172]]; // thousand ft/min -> degrees from level
 
 /** Clockwise from the top; level flight points left. */
 function angle(thousands) {
@@ -22,8 +22,9 @@ export function face(dial) {
       const mark = Math.round(v * 10) / 10;
       dial.tick(angle(sign * mark), mark % 1 ? 0.81 : 0.74, 0.87, mark % 1 ? 0.012 : 0.024);
     }
-    for (const v of [1, 2, 4, 6]) dial.label(String(v), angle(sign * v), 0.58, 0.14);
+    for (const v of [1, 2, 4]) dial.label(String(v), angle(sign * v), 0.58, 0.14);
   }
+  dial.label("6", 90 * DEG, 0.6, 0.14);
   dial.label("0", -90 * DEG, 0.6, 0.14);
   dial.text("VERTICAL SPEED", 0.1, -0.24, 0.08, GREY);
   dial.text("1000 FT/MIN", 0.1, 0.24, 0.08, GREY);

@@ -20,7 +20,7 @@ function facts(aircraft) {
     ["Numbers", numbers],
     ["Mass", `${Math.round(aircraft.mass_kg).toLocaleString("en")} kg (${Math.round(aircraft.mass_kg / POUND).toLocaleString("en")} lb)`],
     ["Trim speed", `${figure(aircraft.V, 4)} m/s (${Math.round(knots(aircraft.V))} kt true), Mach ${aircraft.mach.toFixed(2)}`],
-    ["Reference height", `${Math.round(aircraft.h).toLocaleString("en")} m (${Math.round(feet(aircraft.h)).toLocaleString("en")} ft)`],
+    ["Flight begins at", `${Math.round(aircraft.h).toLocaleString("en")} m (${Math.round(feet(aircraft.h)).toLocaleString("en")} ft)`],
     ["Trim angle of attack", `${degrees(aircraft.alpha_trim).toFixed(2)}°`],
     ["Full stick", `aft: elevator ${angle(full.elevator)}; right: aileron ${angle(full.aileron)}; right pedal: rudder ${angle(full.rudder)}`],
     ["Equations", `linear, form “${aircraft.form}”, good to 15° from trim`],

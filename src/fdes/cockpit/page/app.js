@@ -71,17 +71,28 @@ async function command(name, fields) {
   }
 }
 
+/** Another aircraft. The stick rests until the aircraft message: the old throttle would already fly it. */
 async function fly(aircraft, condition, variant) {
-  await link.command("aircraft", { aircraft, condition, variant });
+  cockpit.flying = false;
+  flown = null;
+  try {
+    await link.command("aircraft", { aircraft, condition, variant });
+  } catch (error) {
+    cockpit.flying = pilot;
+    throw error;
+  }
+}
+
+/** Back to trim. The stick goes first: what it did before must not disturb the new flight. */
+async function reset() {
   stick.toTrim();
+  if (pilot) link.sendStick(stick.stick, performance.now());
+  await command("reset");
 }
 
 const actions = {
   freeze: () => command("freeze", { value: !link.has(FLAG.frozen) }),
-  reset: async () => {
-    stick.toTrim(); // first, so that what the stick did before does not disturb the new flight
-    await command("reset");
-  },
+  reset,
   step: () => command("step"),
   record: () => command("record", { value: !link.has(FLAG.recording) }),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
@@ -92,18 +103,28 @@ listenToKeys(actions);
 for (const button of document.querySelectorAll("[data-action]")) button.addEventListener("click", () => actions[button.dataset.action]());
 byId("choose-aircraft").addEventListener("click", () => picker.open());
 byId("choose-signals").addEventListener("click", () => chooser.open());
-byId("start-again").addEventListener("click", actions.reset);
+byId("start-again").addEventListener("click", reset);
 for (const dialog of document.querySelectorAll("dialog")) {
   dialog.querySelector("[data-close]").addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close()); // a click beside it
 }
 
 let flown = null; // aircraft and condition, to know whether a message brings another one
+let pilot = false;
+let seated = false; // whether the throttle lever has been put where the simulation has it
 link.on("hello", (hello) => {
-  cockpit.flying = hello.role === "pilot";
-  byId("observer").hidden = cockpit.flying;
+  pilot = hello.role === "pilot";
+  seated = false;
+  cockpit.flying = false;
+  byId("observer").hidden = pilot;
   chart.setChannels(hello.channels);
   topBar.showHello(hello);
+});
+link.on("frame", ({ values, index }) => {
+  if (seated || flown === null) return;
+  seated = true;
+  stick.stick.throttle = values[index.stick_throttle];
+  cockpit.flying = pilot;
 });
 link.on("aircraft", (aircraft) => {
   const now = `${aircraft.id} ${aircraft.condition} ${aircraft.variant}`;
@@ -112,6 +133,7 @@ link.on("aircraft", (aircraft) => {
     stick.toTrim(aircraft.trim_throttle);
     chart.clear();
     cockpit.expectTrim();
+    cockpit.flying = pilot && seated;
   }
   indicator.setTrim(aircraft.trim_throttle);
   topBar.showAircraft(aircraft);
@@ -150,7 +172,7 @@ setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.
 
 /** For tests and for the curious. */
 window.fdes = {
-  link, stick, chart, theme, drawn: cockpit.drawn, stats: cockpit.stats, hud: cockpit.hud,
+  link, stick, chart, panel, theme, drawn: cockpit.drawn, stats: cockpit.stats, hud: cockpit.hud,
   get world() {
     return cockpit.world;
   },

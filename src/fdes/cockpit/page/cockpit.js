@@ -7,6 +7,7 @@ import { camera } from "./camera.js";
 import { Hud } from "./hud.js";
 import { FLAG } from "./link.js";
 import { FrameClock, carryForward } from "./motion.js";
+import { Resolution } from "./resolution.js";
 import { makeWorld } from "./world.js";
 
 const KEPT = 3000; // latencies remembered
@@ -18,7 +19,7 @@ export class Cockpit {
     Object.assign(this, parts);
     this.worldKind = worldKind;
     this.fixedLook = look;
-    this.flying = true; // false for an observer: the stick is not sent
+    this.flying = false; // whether the stick is sent: not by an observer, nor before the lever stands where it belongs
     this.clock = new FrameClock();
     this.hud = new Hud(parts.hudCanvas);
     this.drawn = {};
@@ -35,12 +36,10 @@ export class Cockpit {
   }
 
   useWorld(kind) {
-    this.world = makeWorld(this.worldCanvas, kind, (lost) => {
-      this.worldCanvas = lost;
-      this.useWorld("canvas2d");
-    });
+    this.world = makeWorld(this.worldCanvas, kind, () => this.useWorld("canvas2d"));
     this.worldCanvas = this.world.canvas;
     this.stats.world = this.world.constructor.kind;
+    this.resolution = new Resolution(this.world.constructor.leastScale);
     this.resized = true;
   }
 
@@ -64,7 +63,7 @@ export class Cockpit {
     this.lastT = link.t;
     if (this.trimWanted) {
       this.trimWanted = false;
-      this.panel.setTrim(link.t < 0.5 ? link.copyTo({}) : null);
+      this.panel.setStart({ ...link.copyTo({}), trimmed: link.t < 0.5 && !link.has(FLAG.replay) });
     }
   }
 
@@ -86,8 +85,8 @@ export class Cockpit {
 
     const ratio = devicePixelRatio;
     this.world.look = this.fixedLook ?? "day";
-    this.world.draw(drawn, this.worldCanvas.width / this.hudCanvas.clientWidth);
     const cam = camera(this.hudCanvas.width / ratio, this.hudCanvas.height / ratio, drawn);
+    this.world.draw(cam);
     this.hud.draw(drawn, cam, link.t, this.words(), ratio);
     this.panel.draw(drawn, ratio);
     if (this.stats.frames % CHART_EVERY === 0) this.chart.draw(this.theme.colors, ratio);
@@ -103,22 +102,23 @@ export class Cockpit {
   }
 
   count(now) {
-    const { stats, link, world } = this;
+    const { stats, link } = this;
     stats.frames += 1;
     stats.firstFrameAt ??= performance.now();
-    if (link.echo.stamp && link.echo.sequence !== this.lastEcho) {
+    if (this.flying && link.echo.stamp && link.echo.sequence !== this.lastEcho) {
       this.lastEcho = link.echo.sequence;
       stats.latencies.push(performance.now() - link.echo.stamp);
       if (stats.latencies.length > KEPT) stats.latencies.splice(0, KEPT / 2);
     }
-    if (this.lastAt && world.adapt?.(now - this.lastAt)) this.resized = true;
+    if (this.lastAt && this.resolution.adapt(now - this.lastAt)) this.resized = true;
     this.lastAt = now;
-    stats.scale = world.scale ?? 1;
+    stats.scale = this.resolution.scale;
+    if (this.worldKind === "auto" && stats.world === "webgl" && this.resolution.exhausted) this.useWorld("canvas2d");
   }
 
   resize() {
     this.resized = false;
-    fit(this.worldCanvas, devicePixelRatio * (this.world.scale ?? 1));
+    fit(this.worldCanvas, devicePixelRatio * this.resolution.scale);
     for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) fit(canvas, devicePixelRatio);
   }
 }

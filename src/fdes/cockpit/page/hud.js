@@ -94,8 +94,8 @@ export class Hud {
       if (this.mode === "full") scales(glass, state, this.most.g);
       else readouts(glass, state);
     }
-    if (words.small) glass.ink.text(words.small, glass.cx, glass.cy + glass.R * 0.64, glass.letter * 1.05);
-    if (words.big) glass.ink.text(words.big, glass.cx, glass.cy - glass.R * 0.42, glass.letter * 2.6);
+    if (words.small) plaque(glass, words.small, glass.cy + glass.R * 0.7, glass.letter);
+    if (words.big) plaque(glass, words.big, glass.cy - glass.R * 0.45, glass.letter * 2.4);
     this.paint(glass);
   }
 
@@ -123,6 +123,13 @@ export class Hud {
       context.stroke(ink.letters);
     }
   }
+}
+
+/** Words on a dark ground of their own: the ladder may pass behind them. */
+function plaque({ ink, cx }, words, y, size) {
+  const half = words.length * size * 0.47 + size * 0.6;
+  ink.backing.rect(cx - half, y - size, 2 * half, 2 * size);
+  ink.text(words, cx, y, size);
 }
 
 /** y [px] of the horizon line in the middle column, and its tilt [rad], right end down positive. */

@@ -3,7 +3,8 @@
  * size and aircraft; each frame copies it and adds what does.
  *
  * An instrument is a module instruments/NAME.js that exports `title`, `needs` (names of Outputs), optionally
- * `face(dial, trim)` and `draw(dial, outputs, trim)`. `trim` holds the outputs at the start of the flight, or null.
+ * `face(dial, start)` and `draw(dial, outputs, start)`. `start` holds the outputs first seen of this flight; its field
+ * `trimmed` tells whether they are those of trim.
  */
 
 import { Dial, GREY } from "./dial.js";
@@ -19,7 +20,7 @@ export class InstrumentPanel {
     this.instruments = instruments;
     this.faces = new Map();
     this.key = "";
-    this.trim = null;
+    this.start = {};
     canvas.setAttribute("aria-label", `Instruments: ${instruments.map(({ title }) => title).join(", ")}`);
   }
 
@@ -29,9 +30,9 @@ export class InstrumentPanel {
     return new InstrumentPanel(canvas, modules);
   }
 
-  /** Tells the instruments what trim looks like: their bugs stand there. */
-  setTrim(outputs) {
-    this.trim = outputs && { ...outputs };
+  /** Tells the instruments how the flight began: their scales fit that, and their bugs stand there. */
+  setStart(start) {
+    this.start = start;
     this.faces.clear();
   }
 
@@ -49,12 +50,12 @@ export class InstrumentPanel {
       context.setTransform(1, 0, 0, 1, Math.round((i + 0.5) * wide), Math.round(canvas.height / 2));
       const face = this.cached(instrument.title, radius, (d) => {
         d.case();
-        instrument.face?.(d, this.trim);
+        instrument.face?.(d, this.start);
       });
       context.drawImage(face, -radius, -radius);
       const missing = instrument.needs.filter((name) => outputs[name] === undefined);
       if (missing.length) dial.text("OFF", 0, 0, 0.3, GREY);
-      else instrument.draw(dial, outputs, this.trim);
+      else instrument.draw(dial, outputs, this.start);
       context.drawImage(this.cached("glass", radius, (d) => d.glass()), -radius, -radius);
     });
   }

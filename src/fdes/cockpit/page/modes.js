@@ -4,14 +4,13 @@ import { html } from "./dom.js";
 import { drawSPlane, modeName } from "./s_plane.js";
 import { figure } from "./units.js";
 
-const HIGHEST = 230; // px
 const COLUMNS = [
   ["Mode", "The natural motions of the aircraft, stick fixed"],
-  ["ωn rad/s", "Undamped natural frequency; of a real root its size"],
+  ["ωn, rad/s", "Undamped natural frequency; of a real root its size"],
   ["ζ", "Damping ratio; none for a real root"],
-  ["τ s", "Time constant"],
-  ["T½ · T2 s", "Time to half amplitude, or, growing, to double it"],
-  ["Period s", "Time of one oscillation"],
+  ["τ, s", "Time constant"],
+  ["T½, s", "Time to half amplitude; T2: to double it"],
+  ["Period", "Time of one oscillation, s"],
 ];
 
 export class ModesPanel {
@@ -33,7 +32,7 @@ export class ModesPanel {
 
   drawPlane() {
     const { width, height } = this.plane.parentElement.getBoundingClientRect();
-    if (width > 0) drawSPlane(this.plane, this.modes, width, Math.min(height, HIGHEST));
+    if (width > 0) drawSPlane(this.plane, this.modes, width, height);
   }
 
   highlight(name) {

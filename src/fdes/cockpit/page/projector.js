@@ -9,6 +9,8 @@ export class Projector {
   constructor(context, cam) {
     this.context = context;
     this.cam = cam;
+    this.spread = Math.hypot(cam.width / 2, cam.height - cam.cy) / cam.f;
+    this.slant = Math.hypot(1, this.spread);
   }
 
   /** Body coordinates of a place on the ground, or `up` meters above it. */
@@ -17,9 +19,10 @@ export class Projector {
     return toBody(cam.axes, north - cam.north, east - cam.east, cam.eye - up);
   }
 
-  /** Whether a disc of `radius` on the ground lies wholly behind the eye. */
-  behind(north, east, radius) {
-    return this.place(north, east)[0] < -radius * 1.5;
+  /** Whether a disc of `radius` on the ground lies wholly outside the cone that the screen's corners span. */
+  outside(north, east, radius) {
+    const [x, y, z] = this.place(north, east);
+    return Math.hypot(y, z) - this.slant * radius > Math.max(0, x + radius) * this.spread;
   }
 
   toScreen([x, y, z]) {

@@ -4,11 +4,11 @@
  */
 
 import { svg } from "./dom.js";
-import { figure } from "./units.js";
+import { clamp, figure } from "./units.js";
 
 const SLOW = 0.12; // share of the fastest mode's frequency below which a mode goes into the magnified plane
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
-const PAD = { top: 16, bottom: 17, left: 4, right: 4 };
+const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /** Fills the SVG element `plane`, `width` by `height` px, with `modes` as the server describes them. */
 export function drawSPlane(plane, modes, width, height) {
@@ -51,18 +51,27 @@ function drawPane(plane, named, all, { x, width, height, title }) {
   grid.append(svg("path", { class: "s-axis", d: `M${x} ${at.y(0)}H${x + width}M${at.x(0)} 0V${height}` }));
 
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
-  for (let im = step; im < top; im += step) plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, figure(im, 2)));
-  plane.append(svg("text", { class: "s-title", x: x + 6, y: 11 }, title));
-  plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
-  plane.append(svg("text", { class: "s-number", x: x + 6, y: height - 5 }, figure(left / 1.25, 2)));
-  placeLabels(plane, named, at, { x, width });
+  const words = [[x, x + title.length * 5.6, height - 14, height]]; // what names must not cover: left, right, top, bottom
+  for (let im = step; im < top; im += step) {
+    plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
+    words.push([at.x(0), at.x(0) + 22, at.y(im) - 5, at.y(im) + 4]);
+  }
+  const across = roundStep(-left / 2.4);
+  for (let re = across; at.x(-re) > x + 14; re += across) {
+    plane.append(svg("text", { class: "s-number s-middle", x: at.x(-re), y: at.y(0) + 10 }, tidy(-re)));
+    words.push([at.x(-re) - 11, at.x(-re) + 11, at.y(0) + 2, at.y(0) + 11]);
+    grid.append(svg("path", { class: "s-axis", d: `M${at.x(-re)} ${at.y(0) - 2}v4` }));
+  }
+  plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, title));
+  if (x === 0) plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
+  placeLabels(plane, named, at, { x, width, height }, words);
 }
 
-/** Crosses, and names beside those in the upper half; names that would touch are moved apart. */
-function placeLabels(plane, modes, at, { x, width }) {
-  let lowest = -Infinity;
-  const above = [...modes].sort((a, b) => b.eigenvalue[1] - a.eigenvalue[1]);
-  for (const mode of above) {
+/** Crosses, and names beside those of the upper half, where they touch neither a cross nor another name. */
+function placeLabels(plane, modes, at, pane, words) {
+  const crosses = modes.flatMap(({ eigenvalue: [re, im] }) => (im ? [1, -1] : [1]).map((side) => ({ x: at.x(re), y: at.y(side * im), reach: 6 })));
+  const taken = [...words, ...crosses.map(({ x: px, y: py, reach }) => [px - reach, px + reach, py - reach, py + reach])];
+  for (const mode of modes) {
     const [re, im] = mode.eigenvalue;
     const group = svg("g", { class: `s-root s-${mode.axis}${re > 0 ? " s-divergent" : ""}`, "data-mode": mode.name });
     for (const side of im ? [1, -1] : [1]) {
@@ -71,16 +80,25 @@ function placeLabels(plane, modes, at, { x, width }) {
     }
     group.append(svg("title", {}, `${modeName(mode.name)}: ${figure(re)} ${im ? `± ${figure(im)} i` : ""} rad/s`));
     const name = modeName(mode.name);
-    const wide = name.length * 5.6;
-    const room = x + width - at.x(re) - 10 > wide;
-    const y = Math.max(at.y(im) + (im ? 3.5 : -8), lowest + 12);
-    lowest = im ? y : lowest;
-    group.append(svg("text", { x: at.x(re) + (im ? (room ? 8 : -8) : 0), y, "text-anchor": im ? (room ? "start" : "end") : clampAnchor(at.x(re), wide, x, width) }, name));
+    const spot = freeSpot(at.x(re), at.y(im), name.length * 5.8, pane, taken);
+    taken.push(spot.box);
+    group.append(svg("text", { x: spot.x, y: spot.y }, name));
     plane.append(group);
   }
 }
 
-const clampAnchor = (px, wide, x, width) => (px - wide / 2 < x + 4 ? "start" : px + wide / 2 > x + width - 4 ? "end" : "middle");
+/** Where a name `wide` px long goes: left, right, above or below its cross, whichever is free first. */
+function freeSpot(px, py, wide, { x, width, height }, taken) {
+  const center = clamp(px - wide / 2, x + 5, x + width - wide - 5);
+  const spots = [[px - 9 - wide, py + 3.5], [px + 9, py + 3.5], [center, py - 9], [center, py + 17], [px - 9 - wide, py + 13], [px - 9 - wide, py - 6], [px + 9, py - 6], [center, py - 19], [center, py + 28]];
+  if (Math.abs(py - (PAD.top + height - PAD.bottom) / 2) < 1) spots.unshift(spots[2]); // not along the real axis
+  const candidates = spots.map(([left, base]) => ({ x: left, y: base, box: [left, left + wide, base - 9, base + 2] }));
+  const touches = ([l, r, t, b]) => taken.some(([L, R, T, B]) => l < R && L < r && t < B && T < b);
+  const inside = ([l, r, t]) => l > x + 3 && r < x + width - 3 && t > 0;
+  return candidates.find(({ box }) => inside(box) && !touches(box)) ?? candidates.find(({ box }) => inside(box)) ?? candidates[0];
+}
+
+const tidy = (value) => String(Number(value.toPrecision(3)));
 
 /** "short_period" -> "Short period". */
 export function modeName(name) {

@@ -7,7 +7,7 @@
 /** The flight begins at the origin heading north, 1,500 ft up, with the runway ahead. */
 export const RUNWAY = { south: 2600, length: 3600, width: 60, name: "36" };
 export const TOWN = { north: 13500, east: 5200 };
-export const FIELD = 1200; // m, side of a cell of farmland
+export const FIELD = 720; // m, side of a cell of farmland
 export const COUNTRY = 2400; // m, side of a cell that may hold a wood and a farm
 export const LAKELAND = 9600; // m, side of a cell that may hold a lake
 export const ROAD_SPACING = 4800; // m
@@ -76,18 +76,21 @@ export function countryside(i, j) {
 }
 const cells = new Map();
 
+const HEDGE_TREES = 30;
+const hedge = (cells_) => Math.round((cells_ * COUNTRY) / FIELD) * FIELD; // trees stand along the edges of fields
+
 function growCell(i, j) {
   const trees = [];
   const plant = (north, east, salt) => trees.push({ north, east, height: 11 + 11 * hash(i, j, salt), shade: hash(i, j, salt + 1) });
   const wood = woodIn(i, j);
-  const count = wood ? Math.min(34, Math.round((wood.radius / 70) ** 2)) : 0;
+  const count = wood ? Math.min(150, Math.round((wood.radius / 28) ** 2)) : 0;
   for (let n = 0; n < count; n++) {
-    const [away, angle] = [wood.radius * Math.sqrt(hash(i, j, 100 + n)), 6.283 * hash(i, j, 200 + n)];
-    plant(wood.north + away * Math.cos(angle), wood.east + away * Math.sin(angle), 300 + 2 * n);
+    const [away, angle] = [wood.radius * Math.sqrt(hash(i, j, 100 + n)), 6.283 * hash(i, j, 300 + n)];
+    plant(wood.north + away * Math.cos(angle), wood.east + away * Math.sin(angle), 500 + 2 * n);
   }
-  for (let n = 0; n < 4; n++) {
-    const [north, east] = [(i + hash(i, j, 400 + n)) * COUNTRY, (j + hash(i, j, 410 + n)) * COUNTRY];
-    if (isClear(north, east, 0)) plant(north, east, 420 + 2 * n);
+  for (let n = 0; n < HEDGE_TREES; n++) {
+    const [north, east] = [hedge(i + hash(i, j, 900 + n)), (j + hash(i, j, 950 + n)) * COUNTRY];
+    if (isClear(north, east, 0)) plant(north, east, 1000 + 2 * n);
   }
   return { trees, boxes: hash(i, j, 31) < 0.4 ? farm(i, j) : [] };
 }

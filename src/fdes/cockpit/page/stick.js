@@ -22,7 +22,7 @@ const KEYS = {
   PageDown: ["throttle", -1],
 };
 const AXES = ["pitch", "roll", "yaw"];
-const OUT_RATE = 1.5; // full travel per second, away from the center
+const OUT_RATE = 1.2; // full travel per second, away from the center
 const BACK_RATE = 3.5; // full travel per second, towards the center
 const THROTTLE_RATE = 0.4; // full travel per second
 const GENTLE = 1 / 3;

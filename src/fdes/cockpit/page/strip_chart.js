@@ -11,6 +11,7 @@ const LEFT = 44; // px for the numbers of the axis
 const RIGHT = 10;
 const TITLE = 17; // px above each lane for its legend
 const FOOT = 20; // px below all lanes for the time axis
+const ROW = 20; // px between the lines of an axis, at least
 const LATE_START = 12; // s of flight before the chart stops explaining its empty part
 
 export const DEFAULT_LANES = [["theta", "alpha"], ["p", "q", "r"], ["phi", "beta"], ["elevator", "aileron", "rudder"]];
@@ -105,7 +106,7 @@ export class StripChart {
     });
     context.fillStyle = colors.plot;
     context.fillRect(left, top, right - left, bottom - top);
-    const axis = (this.limits[i] = limits(this.extremes(series, frame.from), series[0]?.span ?? 1, this.limits[i]));
+    const axis = (this.limits[i] = limits(this.extremes(series, frame.from), series[0]?.span ?? 1, this.limits[i], (bottom - top) / ROW));
     const y = (value) => bottom - ((value - axis.low) / (axis.high - axis.low)) * (bottom - top);
     this.drawGrid(axis, y, frame);
     this.drawLegend(series, frame);
@@ -179,9 +180,15 @@ export class StripChart {
     const first = this.count ? this.times[this.row(-this.count)] : from + SECONDS;
     if (SECONDS - (first - from) > LATE_START) return;
     const { context } = this;
+    const [words, room] = ["The last 20 s of flight fill in from the right", (first - from) * perSecond];
+    const wide = context.measureText(words).width;
+    if (wide + 12 > room) return;
+    const [x, y] = [left + room / 2, (top + bottom) / 2];
+    context.fillStyle = colors.plot;
+    context.fillRect(x - wide / 2 - 5, y - 8, wide + 10, 16);
     context.fillStyle = colors.quiet;
     context.textAlign = "center";
-    context.fillText("The last 20 s of flight fill in from the right", left + ((first - from) * perSecond) / 2, (top + bottom) / 2 + 8);
+    context.fillText(words, x, y);
   }
 
   /** One polyline. Where several samples share a pixel column, their smallest and largest are joined. */
@@ -240,18 +247,18 @@ export class StripChart {
 }
 
 /**
- * Round limits around [low, high] with at least `span` between them. The old limits stay while they still fit well, so
- * that the axis does not twitch.
+ * Round limits around [low, high] with at least `span` between them and about `lines` steps. The old limits stay while
+ * they still fit well, so that the axis does not twitch.
  */
-function limits([low, high], span, old) {
-  if (old && low >= old.low && high <= old.high && Math.max(high - low, span) > 0.4 * (old.high - old.low)) return old;
+function limits([low, high], span, old, lines) {
+  if (old?.lines === lines && low >= old.low && high <= old.high && Math.max(high - low, span) > 0.4 * (old.high - old.low)) return old;
   const spare = Math.max(0, span - (high - low)) / 2;
-  const step = roundStep((high - low + 2 * spare) / 3);
-  return { step, low: Math.floor((low - spare) / step) * step, high: Math.ceil((high + spare) / step) * step };
+  const step = roundStep((high - low + 2 * spare) / clamp(lines, 2, 5));
+  return { step, lines, low: Math.floor((low - spare) / step) * step, high: Math.ceil((high + spare) / step) * step };
 }
 
 function roundStep(value) {
   const power = 10 ** Math.floor(Math.log10(value || 1));
   const lead = value / power;
-  return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
+  return (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10) * power;
 }

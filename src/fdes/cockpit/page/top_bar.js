@@ -14,7 +14,7 @@ function write(element, text) {
 
 export class TopBar {
   constructor(link, cockpit, stick) {
-    Object.assign(this, { link, cockpit, stick, flags: null, status: null, framesBefore: 0, timer: null });
+    Object.assign(this, { link, cockpit, stick, flags: null, status: null, notice: null, framesBefore: 0, timer: null });
   }
 
   showHello(hello) {
@@ -26,18 +26,24 @@ export class TopBar {
   showAircraft(aircraft) {
     write(byId("aircraft-name"), aircraft.name);
     write(byId("aircraft-condition"), aircraft.condition_name + (aircraft.variant === "printed" ? ", as printed" : ""));
-    write(byId("method"), `${aircraft.integrator} · 1/${Math.round(1 / aircraft.dt)} s · linear “${aircraft.form}”`);
+    write(byId("method-words"), `${aircraft.integrator} · 1/${Math.round(1 / aircraft.dt)} s · ${aircraft.form}`);
     document.title = `${aircraft.name} · FDES`;
   }
 
   showStatus(status) {
     this.status = status;
     const slow = status.real_time_factor < SLOW_CLOCK && !status.frozen && !this.link.has(FLAG.ended);
-    write(byId("pace"), `${status.real_time_factor.toFixed(2)}×`);
+    write(byId("pace"), `${status.real_time_factor.toFixed(2)}×${this.link.has(FLAG.late) ? " late" : ""}`);
     byId("pace").classList.toggle("warn", slow);
     write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
-    if (status.notice && !this.link.has(FLAG.ended)) this.say(status.notice);
+    this.announce(status.notice);
     this.flags = null;
+  }
+
+  /** Says a new notice, unless it is why the flight ended: that stands in the middle of the picture. */
+  announce(notice) {
+    if (notice && notice !== this.notice) setTimeout(() => !this.link.has(FLAG.ended) && this.notice === notice && this.say(notice), 300);
+    this.notice = notice;
   }
 
   /** Freeze and record buttons, and the end of a flight; called each frame, so it looks for a change first. */

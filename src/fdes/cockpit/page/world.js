@@ -4,21 +4,20 @@ import { CanvasWorld } from "./world_canvas.js";
 import { WebglWorld, isSoftwareRendered } from "./world_webgl.js";
 
 /**
- * A world on `canvas`, or on a copy that takes its place. `kind` is "webgl", "canvas2d" or "auto". `onLoss(canvas)` is
- * called with a fresh canvas when the graphics processor takes the picture away.
+ * A world in the place of `canvas`. `kind` is "webgl", "canvas2d" or "auto". `onLoss()` is called when the graphics
+ * processor takes the picture away.
  */
 export function makeWorld(canvas, kind, onLoss) {
-  if (kind === "webgl" || (kind === "auto" && !isSoftwareRendered())) {
-    try {
-      const world = new WebglWorld(canvas);
-      canvas.addEventListener("webglcontextlost", () => onLoss(renewed(canvas)), { once: true });
-      return world;
-    } catch (error) {
-      console.warn(`The world is drawn without WebGL: ${error.message}`);
-      return new CanvasWorld(renewed(canvas));
-    }
+  const fresh = renewed(canvas);
+  if (kind !== "webgl" && (kind !== "auto" || isSoftwareRendered())) return new CanvasWorld(fresh);
+  try {
+    const world = new WebglWorld(fresh);
+    fresh.addEventListener("webglcontextlost", onLoss, { once: true });
+    return world;
+  } catch (error) {
+    console.warn(`The world is drawn without WebGL: ${error.message}`);
+    return new CanvasWorld(renewed(fresh));
   }
-  return new CanvasWorld(canvas);
 }
 
 // A canvas that has given out one kind of context never gives another.

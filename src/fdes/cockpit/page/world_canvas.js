@@ -3,7 +3,7 @@
  * sky, sun, clouds above, skyline, land, haze, runway, things that stand on the ground.
  */
 
-import { camera, toBody, worldHorizon } from "./camera.js";
+import { toBody, worldHorizon } from "./camera.js";
 import { Projector } from "./projector.js";
 import { drawClouds, drawSky, drawSkyline } from "./canvas_sky.js";
 import {
@@ -13,13 +13,14 @@ import {
 import { css, mix, onHorizon } from "./paint.js";
 import { clamp } from "./units.js";
 
-const FIELDS_AHEAD = 9; // cells of farmland to each side
+const FIELDS_AHEAD = { low: 13, high: 26 }; // cells of farmland to each side
 const TREES_WITHIN = 9000; // m
 const SMALLEST = 0.8; // px: what is lower is not worth a fill
 const FACE_LIGHT = { roof: 1.06, south: 0.82, north: 0.62, east: 0.94, west: 0.7 };
 
 export class CanvasWorld {
   static kind = "canvas2d";
+  static leastScale = 0.7;
 
   constructor(canvas) {
     this.canvas = canvas;
@@ -28,12 +29,11 @@ export class CanvasWorld {
     this.horizon = { y: NaN, tilt: NaN };
   }
 
-  /** Draws the world for `state`; `pixelRatio` canvas px for each CSS px. */
-  draw(state, pixelRatio) {
+  /** Draws what camera `cam` (CSS px) sees; the canvas may have fewer or more pixels. */
+  draw(cam) {
     const { canvas, context } = this;
-    const cam = camera(canvas.width / pixelRatio, canvas.height / pixelRatio, state);
     this.horizon = worldHorizon(cam);
-    context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
+    context.setTransform(canvas.width / cam.width, 0, 0, canvas.height / cam.height, 0, 0);
     const scene = { context, cam, look: LOOKS[this.look] ?? LOOKS.day, lens: new Projector(context, cam) };
     drawSky(scene);
     drawClouds(scene, "above");
@@ -65,31 +65,32 @@ function drawLand({ context, cam, look }) {
 /** Distance dissolves in haze: a band under the horizon over everything flat. */
 function drawHaze({ context, cam, look }) {
   onHorizon(context, cam, (reach) => {
-    const deep = cam.height * 0.2;
+    const deep = cam.height * 0.16;
     const haze = context.createLinearGradient(0, 0, 0, deep);
-    for (const [at, alpha] of [[0, 0.95], [0.12, 0.7], [0.4, 0.26], [1, 0]]) haze.addColorStop(at, css(look.haze, undefined, alpha));
+    for (const [at, alpha] of [[0, 0.8], [0.1, 0.5], [0.35, 0.18], [1, 0]]) haze.addColorStop(at, css(look.haze, undefined, alpha));
     context.fillStyle = haze;
     context.fillRect(-reach, 0, 2 * reach, deep);
   });
 }
 
-/** Farmland around the aircraft. Higher up the cells are larger, so that there are never more of them. */
+/** Farmland around the aircraft. Higher up one sees further: there are more cells, and larger ones. */
 function drawFields(scene) {
   const { cam } = scene;
-  const level = Math.max(0, Math.log2(cam.eye / 1500));
+  const level = Math.max(0, 0.72 * Math.log2(cam.eye / 900));
+  const ahead = Math.round(Math.min(FIELDS_AHEAD.high, FIELDS_AHEAD.low + 5 * level));
   const [coarse, fine] = [Math.ceil(level), Math.floor(level)];
-  fieldsOfSize(scene, FIELD * 2 ** coarse, coarse, 0.8);
-  if (coarse !== fine) fieldsOfSize(scene, FIELD * 2 ** fine, fine, 0.8 * (coarse - level));
+  fieldsOfSize(scene, ahead, FIELD * 2 ** coarse, coarse, 0.8);
+  if (coarse !== fine) fieldsOfSize(scene, ahead, FIELD * 2 ** fine, fine, 0.8 * (coarse - level));
 }
 
-function fieldsOfSize({ cam, look, lens }, size, salt, strength) {
+function fieldsOfSize({ cam, look, lens }, ahead, size, salt, strength) {
   const [ci, cj] = [Math.floor(cam.north / size), Math.floor(cam.east / size)];
-  for (let i = ci - FIELDS_AHEAD; i <= ci + FIELDS_AHEAD; i++) {
-    for (let j = cj - FIELDS_AHEAD; j <= cj + FIELDS_AHEAD; j++) {
-      const fade = 1 - Math.hypot(i - ci, j - cj) / (FIELDS_AHEAD + 0.5);
+  for (let i = ci - ahead; i <= ci + ahead; i++) {
+    for (let j = cj - ahead; j <= cj + ahead; j++) {
+      const fade = 1 - Math.hypot(i - ci, j - cj) / (ahead + 0.5);
       if (fade <= 0.03) continue;
       const [n, e] = [i * size, j * size];
-      if (lens.behind(n + size / 2, e + size / 2, size)) continue;
+      if (lens.outside(n + size / 2, e + size / 2, 0.75 * size)) continue;
       const split = fieldSplit(hash(i, j, 1 + salt * 7));
       const alpha = strength * Math.min(1, 2 * fade);
       const color = (half) => css(look.crops[crop(i, j, half, look.crops.length)], look.light, alpha);
@@ -126,7 +127,7 @@ function drawWater({ cam, look, lens }) {
   for (let i = wi - reach; i <= wi + reach; i++) {
     for (let j = wj - reach; j <= wj + reach; j++) {
       const wood = woodIn(i, j);
-      if (wood && !lens.behind(wood.north, wood.east, wood.radius)) lens.polygon(ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))), dark);
+      if (wood && !lens.outside(wood.north, wood.east, wood.radius)) lens.polygon(ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))), dark);
     }
   }
 }
@@ -176,9 +177,11 @@ function drawStanding({ cam, look, lens }) {
   const boxes = [];
   for (let i = ci - reach; i <= ci + reach; i++) {
     for (let j = cj - reach; j <= cj + reach; j++) {
-      if (lens.behind((i + 0.5) * COUNTRY, (j + 0.5) * COUNTRY, COUNTRY)) continue;
+      if (lens.outside((i + 0.5) * COUNTRY, (j + 0.5) * COUNTRY, COUNTRY)) continue;
       const cell = countryside(i, j);
-      for (const tree of cell.trees) addTree(shades, tree, cam, lens);
+      const near = Math.max(Math.abs(i - ci), Math.abs(j - cj)) < 2;
+      const trees = near ? cell.trees : cell.trees.filter((_, k) => k % 4 === 0); // far off every fourth is enough
+      for (const tree of trees) addTree(shades, tree, cam, lens);
       boxes.push(...cell.boxes);
     }
   }

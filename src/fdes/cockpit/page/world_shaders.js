@@ -2,7 +2,7 @@
  * Shaders of the WebGL world. One pass over the whole screen casts a ray for each pixel and paints sky or land; a
  * second pass draws trees and buildings as solids. Sizes and places come from scenery.js.
  *
- * Coordinates are north-east-down in meters; uAxes has the body axes as columns; uF, uCenter in canvas pixels.
+ * Coordinates are north-east-down in meters; uAxes has the body axes as columns; screen sizes in CSS pixels.
  */
 
 import {
@@ -10,7 +10,6 @@ import {
 } from "./scenery.js";
 
 const real = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
-const vec4s = (rectangles) => rectangles.map((r) => `vec4(${r.map(real).join()})`).join();
 
 const COMMON = `
 uniform mat3 uAxes; uniform vec2 uPlace, uSize, uCenter; uniform float uF, uEye;
@@ -28,9 +27,9 @@ void main() {
 export const LAND_FRAGMENT = `#version 300 es
 precision highp float; precision highp int;
 ${COMMON}
-uniform sampler2D uSkyline; uniform vec3 uCrops[7];
+uniform sampler2D uSkyline, uNoise; uniform vec3 uCrops[7];
 uniform vec3 uSun, uSunColor, uLight, uZenith, uSky, uHorizon, uCloud, uCloudShade, uRange0, uRange1;
-uniform vec3 uWood, uWater, uRoad, uApron, uRunway, uPaint, uGrass; uniform float uLamps;
+uniform vec3 uWood, uWater, uRoad, uApron, uRunway, uPaint, uGrass; uniform float uLamps; uniform vec2 uPixel;
 out vec4 color;
 
 float hash(ivec2 cell, int salt) { // the same as hash() of scenery.js
@@ -38,11 +37,9 @@ float hash(ivec2 cell, int salt) { // the same as hash() of scenery.js
   h ^= h >> 16; h *= 0x7feb352du; h ^= h >> 15; h *= 0x846ca68bu; h ^= h >> 16;
   return float(h) / 4294967296.0;
 }
-float noise(vec2 p) {
-  ivec2 i = ivec2(floor(p)); vec2 f = fract(p); f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(hash(i, 91), hash(i + ivec2(1, 0), 91), f.x), mix(hash(i + ivec2(0, 1), 91), hash(i + ivec2(1, 1), 91), f.x), f.y);
-}
-float heap(vec2 p) { return 0.5 * noise(p) + 0.27 * noise(p * 2.1 + 7.0) + 0.15 * noise(p * 4.3 + 3.0) + 0.08 * noise(p * 8.9 + 1.0); }
+// Soft noise from a texture that repeats: red has one octave, 1 per texel; green heaped octaves, 1 per 16 texels.
+float noise(vec2 p) { return texture(uNoise, p / 256.0).r; }
+float heap(vec2 p) { return texture(uNoise, p / 16.0).g; }
 
 // Share of a pixel of size px that lies inside a shape whose edge is at signed distance d (negative inside).
 float inside(float d, float px) { return clamp(0.5 - d / px, 0.0, 1.0); }
@@ -93,16 +90,16 @@ float lake(vec2 p, float px) {
   return inside(length(d) - radius * (1.0 + 0.2 * sin(2.0 * angle + phase) + 0.12 * sin(3.0 * angle + 2.0 * phase)), px);
 }
 
-const vec4 PAINT[${RUNWAY_PAINT.length}] = vec4[](${vec4s(RUNWAY_PAINT)});
-const vec4 APRON[${APRONS.length}] = vec4[](${vec4s(APRONS)});
+// Uniforms, not constants: a constant array may be built anew for each pixel.
+uniform vec4 uMarks[${RUNWAY_PAINT.length}], uAprons[${APRONS.length}];
 
 vec3 airfield(vec3 c, vec2 p, vec2 px) {
   float s = ${real(RUNWAY.south)}, n = ${real(RUNWAY.south + RUNWAY.length)}, half_ = ${real(RUNWAY.width / 2)};
   if (p.x < s - 900.0 || p.x > n + 400.0 || abs(p.y) > 460.0) return c;
   c = mix(c, uGrass * (0.94 + 0.12 * noise(p / 25.0)), rectangle(p, vec4(s - 120.0, n + 120.0, -95.0, 95.0), px));
-  for (int i = 0; i < ${APRONS.length}; i++) c = mix(c, uApron * (0.95 + 0.1 * noise(p / 9.0)), rectangle(p, APRON[i], px));
+  for (int i = 0; i < ${APRONS.length}; i++) c = mix(c, uApron * (0.95 + 0.1 * noise(p / 9.0)), rectangle(p, uAprons[i], px));
   c = mix(c, uRunway * (0.9 + 0.2 * noise(p * vec2(0.02, 0.12))), rectangle(p, vec4(s, n, -half_, half_), px));
-  if (abs(p.y) < half_ && p.x > s && p.x < n) for (int i = 0; i < ${RUNWAY_PAINT.length}; i++) c = mix(c, uPaint, rectangle(p, PAINT[i], px));
+  if (abs(p.y) < half_ && p.x > s && p.x < n) for (int i = 0; i < ${RUNWAY_PAINT.length}; i++) c = mix(c, uPaint, rectangle(p, uMarks[i], px));
   return c;
 }
 
@@ -118,7 +115,7 @@ vec3 lamps(vec2 p, vec2 px) {
 
 vec3 land(vec3 d) {
   float distance_ = uEye / d.z; vec2 p = uPlace + d.xy * distance_;
-  float across = distance_ / uF, grazing = across / max(d.z, 1e-4); // size of the pixel on the ground, across and along the ray
+  float across = distance_ * uPixel.y / uF, grazing = across / max(d.z, 1e-4); // size of the pixel on the ground, across and along the ray
   vec2 ray = normalize(d.xy + 1e-7);
   vec2 px = sqrt(vec2(across * across) + (grazing * grazing) * ray * ray) + 1e-3;
   float coarse = sqrt(px.x * px.y);
@@ -152,12 +149,12 @@ vec4 clouds(vec3 d) {
   if (rise * -d.z <= 0.0) return vec4(0.0);
   float reach = rise / -d.z; if (reach > 70000.0) return vec4(0.0);
   vec2 p = (uPlace + d.xy * reach) / 5200.0;
-  float dense = smoothstep(0.5, 0.72, heap(p)), lit = smoothstep(-0.16, 0.2, heap(p) - heap(p + uSun.xy * 0.09));
+  float dense = smoothstep(0.5, 0.72, heap(p)), lit = smoothstep(-0.16, 0.2, heap(p) - heap(p + uSun.xy * 0.12));
   return vec4(mix(uCloudShade, uCloud, 0.35 + 0.65 * lit), dense * 0.88 * smoothstep(70000.0, 18000.0, reach) * smoothstep(0.0, 900.0, reach));
 }
 
 void main() {
-  vec2 s = vec2(gl_FragCoord.x, uSize.y - gl_FragCoord.y) - uCenter;
+  vec2 s = vec2(gl_FragCoord.x * uPixel.x, uSize.y - gl_FragCoord.y * uPixel.y) - uCenter;
   vec3 d = uAxes * normalize(vec3(uF, s));
   vec3 c;
   if (d.z > 0.0) c = land(d);
@@ -165,7 +162,7 @@ void main() {
     c = air(d);
     vec4 cloud = clouds(d); c = mix(c, cloud.rgb, cloud.a);
     vec2 hills = texture(uSkyline, vec2(atan(d.y, d.x) / 6.2831853, 0.5)).rg * 0.04;
-    float soft = 1.2 / uF, up = asin(clamp(-d.z, 0.0, 1.0));
+    float soft = 1.2 * uPixel.y / uF, up = asin(clamp(-d.z, 0.0, 1.0));
     c = mix(c, uRange0, inside(up - hills.x, soft)); c = mix(c, uRange1, inside(up - hills.y, soft));
     c = mix(c, uHaze, 0.5 * (1.0 - smoothstep(0.0, 0.006, up)));
   }

@@ -1,17 +1,15 @@
 /**
  * The outside world in plain WebGL 2: a ray for each pixel paints sky and land, then trees and buildings as solids.
- * The resolution follows the machine: see `adapt`.
  */
 
-import { camera, worldHorizon } from "./camera.js";
-import { BUILDINGS, COUNTRY, LOOKS, countryside, skyline } from "./scenery.js";
+import { worldHorizon } from "./camera.js";
+import { APRONS, BUILDINGS, COUNTRY, LOOKS, RUNWAY_PAINT, countryside, hash, skyline } from "./scenery.js";
 import { LAND_FRAGMENT, SCREEN_VERTEX, SOLID_FRAGMENT, SOLID_VERTEX } from "./world_shaders.js";
 
 const SKYLINE_SAMPLES = 2048;
 const HIGHEST_HILL = 0.04; // rad: the texture's 255
-const CELLS_AROUND = 5;
-const SLOW = 21; // ms between pictures: more than one missed at 60 Hz
-const SCALE = { least: 0.35, down: 0.8, up: 1.15 };
+const CELLS_AROUND = 4;
+const NOISE = 256; // texels along each side
 
 /** Whether WebGL is drawn by the processor: software looks available, but manages a few pictures a second. */
 export function isSoftwareRendered() {
@@ -25,59 +23,69 @@ export function isSoftwareRendered() {
 
 export class WebglWorld {
   static kind = "webgl";
+  static leastScale = 0.35;
 
   /** Throws where there is no WebGL 2. */
   constructor(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance" });
+    const frugal = isSoftwareRendered(); // somebody insists on WebGL: without smooth edges and with a few trees it moves
+    const gl = canvas.getContext("webgl2", { antialias: !frugal, alpha: false, powerPreference: "high-performance" });
     if (!gl) throw new Error("This browser has no WebGL 2.");
-    Object.assign(this, { canvas, gl, look: "day", horizon: { y: NaN, tilt: NaN }, scale: 1, slowness: 0, quiet: 0, cell: null });
+    Object.assign(this, { canvas, gl, frugal, look: "day", horizon: { y: NaN, tilt: NaN }, cell: null });
     this.land = program(gl, SCREEN_VERTEX, LAND_FRAGMENT);
     this.solid = program(gl, SOLID_VERTEX, SOLID_FRAGMENT);
     this.screen = gl.createVertexArray();
     this.boxes = new Solids(gl, boxCorners());
     this.trees = new Solids(gl, treeCorners());
-    this.skyline = skylineTexture(gl);
+    this.textures = { uSkyline: skylineTexture(gl), uNoise: noiseTexture(gl) };
+    gl.useProgram(this.land.program);
+    gl.uniform4fv(this.land.at["uMarks[0]"], RUNWAY_PAINT.flat());
+    gl.uniform4fv(this.land.at["uAprons[0]"], APRONS.flat());
+    Object.entries(this.textures).forEach(([name, texture], unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(this.land.at[name], unit);
+    });
     gl.enable(gl.DEPTH_TEST);
   }
 
-  /** Draws the world for `state`; `pixelRatio` canvas px for each CSS px. */
-  draw(state, pixelRatio) {
+  /** Draws what camera `cam` (CSS px) sees; the canvas may have fewer or more pixels. */
+  draw(cam) {
     const { gl, canvas } = this;
-    const cam = camera(canvas.width / pixelRatio, canvas.height / pixelRatio, state);
     this.horizon = worldHorizon(cam);
     this.gather(cam);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.DEPTH_BUFFER_BIT);
 
     gl.useProgram(this.land.program);
-    this.setEye(this.land.at, cam, pixelRatio);
+    this.setEye(this.land.at, cam);
     gl.bindVertexArray(this.screen);
     gl.depthMask(false); // the land is flat and lies under everything that stands on it
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.depthMask(true);
 
     gl.useProgram(this.solid.program);
-    this.setEye(this.solid.at, cam, pixelRatio);
+    this.setEye(this.solid.at, cam);
     for (const [solids, round] of [[this.boxes, 0], [this.trees, 1]]) {
       gl.uniform1f(this.solid.at.uRound, round);
       solids.draw();
     }
   }
 
-  setEye(at, cam, pixelRatio) {
-    const { gl } = this;
+  setEye(at, cam) {
+    const { gl, canvas } = this;
     const look = LOOKS[this.look] ?? LOOKS.day;
     const sun = Math.hypot(...look.sun);
     gl.uniformMatrix3fv(at.uAxes, false, cam.axes);
     gl.uniform2f(at.uPlace, cam.north, cam.east);
-    gl.uniform2f(at.uSize, cam.width * pixelRatio, cam.height * pixelRatio);
-    gl.uniform2f(at.uCenter, cam.cx * pixelRatio, cam.cy * pixelRatio);
-    gl.uniform1f(at.uF, cam.f * pixelRatio);
+    gl.uniform2f(at.uSize, cam.width, cam.height);
+    gl.uniform2f(at.uCenter, cam.cx, cam.cy);
+    gl.uniform1f(at.uF, cam.f);
     gl.uniform1f(at.uEye, cam.eye);
     gl.uniform3fv(at.uHaze, look.haze);
     gl.uniform3fv(at.uLight, look.light);
     gl.uniform3fv(at.uSun, look.sun.map((value) => value / sun));
     if (!at.uZenith) return;
+    gl.uniform2f(at.uPixel, cam.width / canvas.width, cam.height / canvas.height);
     gl.uniform1f(at.uLamps, look.lamps);
     gl.uniform3fv(at["uCrops[0]"], look.crops.flat());
     const named = { uSunColor: look.sunColor, uZenith: look.zenith, uSky: look.sky, uHorizon: look.horizon, uCloud: look.cloud, uCloudShade: look.cloudShade };
@@ -96,7 +104,9 @@ export class WebglWorld {
       for (let j = cj - CELLS_AROUND; j <= cj + CELLS_AROUND; j++) {
         const found = countryside(i, j);
         boxes.push(...found.boxes);
-        trees.push(...found.trees);
+        const near = Math.max(Math.abs(i - ci), Math.abs(j - cj)) < 2;
+        const thin = (near ? 1 : 3) * (this.frugal ? 4 : 1); // far off every third tree is enough
+        trees.push(...found.trees.filter((_, k) => k % thin === 0));
       }
     }
     this.boxes.fill(boxes.map((b) => [b.north, b.east, b.deep, b.wide, b.height, 0, ...b.wall, ...b.roof]));
@@ -105,17 +115,6 @@ export class WebglWorld {
       const leaf = [0.15 + 0.12 * tree.shade, 0.27 + 0.1 * tree.shade, 0.13 + 0.04 * tree.shade];
       return [tree.north, tree.east, wide, wide, tree.height, 1, ...leaf, ...leaf];
     }));
-  }
-
-  /** Lowers or raises the resolution after `elapsed` ms between two pictures. True when the canvas must be resized. */
-  adapt(elapsed) {
-    this.slowness = this.slowness * 0.95 + (elapsed > SLOW ? 0.05 : 0);
-    this.quiet = this.slowness < 0.04 ? this.quiet + 1 : 0;
-    if (this.slowness > 0.5 && this.scale > SCALE.least) this.scale = Math.max(SCALE.least, this.scale * SCALE.down);
-    else if (this.quiet > 240 && this.scale < 1) this.scale = Math.min(1, this.scale * SCALE.up);
-    else return false;
-    [this.slowness, this.quiet] = [0, 0];
-    return true;
   }
 }
 
@@ -167,12 +166,13 @@ function boxCorners() {
   ];
 }
 
-/** A crown of six sides: narrow foot, wide middle, pointed top. */
+/** A crown of five sides: narrow foot, wide middle, pointed top. */
 function treeCorners() {
-  const around = (k, radius, up) => [0.5 + radius * Math.cos((k * Math.PI) / 3), 0.5 + radius * Math.sin((k * Math.PI) / 3), up];
+  const side = (2 * Math.PI) / 5;
+  const around = (k, radius, up) => [0.5 + radius * Math.cos(k * side), 0.5 + radius * Math.sin(k * side), up];
   const corners = [];
-  for (let k = 0; k < 6; k++) {
-    const normal = [Math.cos(((k + 0.5) * Math.PI) / 3), Math.sin(((k + 0.5) * Math.PI) / 3), 0];
+  for (let k = 0; k < 5; k++) {
+    const normal = [Math.cos((k + 0.5) * side), Math.sin((k + 0.5) * side), 0];
     corners.push(...face(around(k, 0.26, 0), around(k + 1, 0.26, 0), around(k + 1, 0.5, 0.38), around(k, 0.5, 0.38), normal));
     corners.push(...triangle(around(k, 0.5, 0.38), around(k + 1, 0.5, 0.38), [0.5, 0.5, 1], normal));
   }
@@ -192,6 +192,31 @@ function skylineTexture(gl) {
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
+  return texture;
+}
+
+/** See noise() and heap() in world_shaders.js. */
+function noiseTexture(gl) {
+  const random = (x, y, salt, period) => hash(((x % period) + period) % period, ((y % period) + period) % period, salt);
+  const smooth = (x, y, salt, period) => {
+    const [i, j] = [Math.floor(x), Math.floor(y)];
+    const [u, v] = [x - i, y - j].map((f) => f * f * (3 - 2 * f));
+    const row = (jj) => random(i, jj, salt, period) * (1 - u) + random(i + 1, jj, salt, period) * u;
+    return row(j) * (1 - v) + row(j + 1) * v;
+  };
+  const octaves = [[1, 0.5], [2, 0.27], [4, 0.15], [8, 0.08]];
+  const pixels = new Uint8Array(NOISE * NOISE * 4);
+  for (let y = 0; y < NOISE; y++) {
+    for (let x = 0; x < NOISE; x++) {
+      const heaped = octaves.reduce((sum, [times, weight]) => sum + weight * smooth((x * times) / 16, (y * times) / 16, 90 + times, (NOISE / 16) * times), 0);
+      pixels.set([255 * hash(x, y, 90), 255 * heaped], 4 * (y * NOISE + x));
+    }
+  }
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, NOISE, NOISE, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  gl.generateMipmap(gl.TEXTURE_2D);
   return texture;
 }
 
