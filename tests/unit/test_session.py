@@ -4,6 +4,7 @@ import math
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.replay import replay_of
 from fdes.cockpit.session import Session
 from fdes.control import Stick
-from fdes.errors import NoSuchPart, RecordingError, SpecError
+from fdes.errors import FdesError, NoSuchPart, RecordingError, SpecError
 from fdes.flight import Edit, Recording, open_recording
 from fdes.flight.recorder import columns_of
 
@@ -104,7 +105,7 @@ def test_outside_the_linear_range_is_flagged(session: Session) -> None:
 )
 def test_how_flights_end(session: Session, changes: dict[str, float], words: str) -> None:
     flown = session._sortie
-    flown._edit = Edit(state=CRAFT.start._replace(**changes))
+    flown._edits = [Edit(state=CRAFT.start._replace(**changes))]
     ticks(session, 3)
     status = session.status()
     assert status["frozen"]
@@ -232,7 +233,7 @@ def fleet(*said: str) -> Callable[[], Fleet]:
 
 def test_a_fleet_offers_the_hangar_and_says_what_it_has_not() -> None:
     offered = Fleet(load("A-4D"), None, "corrected", "nelson", "exact")
-    craft = offered.craft("NAVION", None, "printed")
+    craft = offered.craft("NAVION", None, "printed", offered.first)
     assert (craft.form, craft.integrator, craft.briefing["name"]) == ("nelson", "exact", "Ryan NAVION")
     for wrong in (fleet("M9", "corrected", "full", "rk4"), fleet("M0.4_SL", "corrected", "fool", "rk4")):
         with pytest.raises(NoSuchPart):
@@ -253,3 +254,59 @@ def test_a_recording_brings_its_aircraft_along() -> None:
 def test_condition_names() -> None:
     assert condition_name(0.4, 0.0) == "M 0.40, sea level"
     assert condition_name(0.8, 35_000 * 0.3048) == "M 0.80, 35,000 ft"
+
+
+def test_a_test_input_begins_now_and_ends(session: Session) -> None:
+    ticks(session, 10)
+    session.put_in("pulse aileron 2deg for 0.1s")
+    ticks(session, 7)
+    assert session._sortie.frame.outputs.aileron == pytest.approx(math.radians(2.0))
+    ticks(session, 20)
+    assert session._sortie.frame.outputs.aileron == 0.0
+    assert session._sortie.frame.outputs.phi > 0.0
+
+
+def test_inputs_can_be_cleared_and_a_reset_clears_them(session: Session) -> None:
+    for end in (session.clear_inputs, session.reset):
+        session.put_in("step elevator -1deg")
+        ticks(session, 3)
+        assert session._sortie.frame.command.elevator == pytest.approx(math.radians(-1.0))
+        end()
+        ticks(session, 3)
+        assert session._sortie.frame.command.elevator == 0.0
+
+
+def test_a_disturbance_is_added_to_the_state_and_recorded_as_an_edit(session: Session) -> None:
+    session.disturb("beta=5deg")
+    ticks(session, 1)
+    frame = session._sortie.frame
+    assert frame.state.beta == pytest.approx(math.radians(5.0))
+    assert frame.edit is not None
+    assert frame.edit.note == {"disturb": "beta=5deg"}
+
+
+@pytest.mark.parametrize(
+    ("ask", "words"),
+    [
+        (lambda s: s.put_in("stp aileron 1deg"), "There is no input named 'stp'. Did you mean 'step'?"),
+        (lambda s: s.disturb("bta=5deg"), "There is no state named 'bta'. Did you mean 'beta'?"),
+    ],
+)
+def test_what_cannot_be_put_in_is_said_and_the_flight_goes_on(session: Session, ask: Any, words: str) -> None:
+    with pytest.raises(FdesError) as error:
+        ask(session)
+    assert words in str(error.value)
+    before = session._sortie.frame.t
+    ticks(session, 2)
+    assert session._sortie.frame.t > before
+
+
+def test_a_long_step_is_flown_as_such(tmp_path: Path) -> None:
+    session = Session("slow", make_craft(CRAFT.condition, "full", "euler", 0.1), tmp_path)
+    session.watched = True
+    ticks(session, 120)
+    assert session._sortie.frame.t == pytest.approx(1.0, abs=0.11)
+    assert session.shown.briefing["dt"] == 0.1
+    assert session.shown.briefing["step_limit"]["mode"] == "dutch_roll"
+    with pytest.raises(SpecError, match=r"A step of 0\.001 s cannot be flown"):
+        make_craft(CRAFT.condition, "full", "euler", 0.001)

@@ -9,7 +9,7 @@ from typing import Any
 
 from fdes import __version__
 from fdes.cockpit import wire
-from fdes.cockpit.craft import Craft
+from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.hub import RATE, Hub, percentiles
 from fdes.cockpit.replay import replay_of
@@ -126,8 +126,13 @@ class Cabins:
                 return {"recording": await asyncio.to_thread(session.start_recording)}
             case wire.Record(False):
                 return {"recording": session.stop_recording()}
-            case wire.ChooseAircraft(aircraft, condition, variant):
-                session.change(await asyncio.to_thread(self.fleet.craft, aircraft, condition, variant))
+            case wire.ChooseAircraft() | wire.Equations():
+                session.change(await asyncio.to_thread(self._craft, session.flown, command))
+            case wire.PutIn(text):
+                if session.put_in(text):
+                    self._later(session.start_recording)
+            case wire.Delete(recording):
+                await asyncio.to_thread(self._delete, recording)
             case wire.PlayBack(recording):
                 await asyncio.to_thread(self._play, session, recording)
             case _:
@@ -140,6 +145,17 @@ class Cabins:
             if path.stem == name:
                 return path
         raise RecordingError(f"There is no recording named {name[:80]!r}.")
+
+    def _craft(self, flown: Craft, wanted: wire.ChooseAircraft | wire.Equations) -> Craft:
+        if isinstance(wanted, wire.Equations):
+            return make_craft(flown.condition, wanted.form, wanted.integrator, wanted.step)
+        return self.fleet.craft(wanted.aircraft, wanted.condition, wanted.variant, flown)
+
+    def _delete(self, name: str) -> None:
+        path = self.recording(name)
+        if any(name == cabin.session.recording_name() for cabin in self.cabins.values()):
+            raise RecordingError(f"{name} is being recorded. End it first.")
+        path.unlink(missing_ok=True)
 
     def status(self, cabin: Cabin) -> dict[str, Any]:
         """The wire's STATUS."""
@@ -245,6 +261,10 @@ def _obey_at_once(session: Session, command: wire.Command) -> None:
             session.reset()
         case wire.Step():
             session.step()
+        case wire.ClearInputs():
+            session.clear_inputs()
+        case wire.Disturb(text):
+            session.disturb(text)
         case wire.Seek(t):
             session.seek(t)
         case wire.StopReplay():

@@ -4,16 +4,20 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from fdes.aircraft import FlightCondition
-from fdes.analysis import modes
+from fdes.analysis import Mode, modes
+from fdes.analysis.step_limit import step_limit
 from fdes.cockpit.hub import RATE
 from fdes.control.laws.direct import Direct
+from fdes.errors import SpecError
 from fdes.flight import Clock, Setup, plant_of
 from fdes.units import FOOT
 
 if TYPE_CHECKING:
     from fdes.physics.derivatives import Form
+    from fdes.physics.small_perturbation import SmallPerturbation
 
 DT = 1.0 / RATE
+LONGEST_STEP = 0.5  # s
 START_HEIGHT = 1500.0 * FOOT  # lowest start: room to make a mistake, still with a view of the ground
 
 
@@ -49,23 +53,37 @@ class Craft:
         }
 
 
-def make_craft(condition: FlightCondition, form: str = "full", integrator: str = "rk4") -> Craft:
-    """Make `condition` ready to fly. Raises NoSuchPart for a form or an integrator that does not exist."""
-    plant = plant_of(condition, form, integrator, DT)
+def make_craft(condition: FlightCondition, form: str = "full", integrator: str = "rk4", step: float = DT) -> Craft:
+    """Make `condition` ready to fly, one integrator step of `step` [s] a frame.
+
+    Raises NoSuchPart for a form or an integrator that does not exist, SpecError for a step the cockpit cannot show.
+    """
+    if not DT - 1e-9 <= step <= LONGEST_STEP:
+        raise SpecError(
+            f"A step of {step:g} s cannot be flown: the cockpit shows every step, of 1/{RATE} to {LONGEST_STEP:g} s."
+        )
+    plant = plant_of(condition, form, integrator, step)
     start = plant.start(max(condition.reference.h, START_HEIGHT))
+    natural = modes(condition, cast("Form", form))  # plant_of has checked the form
     return Craft(
         condition=condition,
         form=form,
         integrator=integrator,
         setup=Setup(plant, Direct(condition.full_stick)),
         start=start,
-        clock=Clock(DT),
-        briefing=_briefing(condition, form, integrator, start.h),
-        modes=[mode.as_dict() for mode in modes(condition, cast("Form", form))],  # plant_of has checked the form
+        clock=Clock(step),
+        briefing=_briefing(condition, form, integrator, step, start.h) | {"step_limit": _limit(plant, natural)},
+        modes=[mode.as_dict() for mode in natural],
     )
 
 
-def _briefing(condition: FlightCondition, form: str, integrator: str, height: float) -> dict[str, Any]:
+def _limit(plant: "SmallPerturbation", natural: list[Mode]) -> dict[str, Any] | None:
+    """The step beyond which the integrator is unstable, and the mode that says so."""
+    found = step_limit(plant.integrator, natural)
+    return found and {"step": found[0], "mode": found[1].name}
+
+
+def _briefing(condition: FlightCondition, form: str, integrator: str, step: float, height: float) -> dict[str, Any]:
     """What the page shows of an aircraft: numbers in SI and radians."""
     ref = condition.reference
     return {
@@ -76,7 +94,7 @@ def _briefing(condition: FlightCondition, form: str, integrator: str, height: fl
         "variant": condition.variant,
         "form": form,
         "integrator": integrator,
-        "dt": DT,
+        "dt": step,
         "mass_kg": ref.m,
         "V": ref.V,
         "mach": ref.mach,

@@ -13,11 +13,11 @@ from fdes.errors import FdesError, NoSuchPart
 
 
 class Fleet:
-    """What can be flown, all in one form of the equations and with one integrator; a session starts with `first`."""
+    """What can be flown; a session starts with `first`."""
 
     def __init__(self, own: Aircraft, condition: str | None, variant: str, form: str, integrator: str) -> None:
         """Raises NoSuchPart for a condition, variant, form or integrator that does not exist."""
-        self._own, self._form, self._integrator = own, form, integrator
+        self._own = own
         self.first = make_craft(own.at(condition, variant), form, integrator)
 
     @cached_property
@@ -25,11 +25,14 @@ class Fleet:
         """All aircraft by id, the hangar's in its own order."""
         return {a.id: a for a in catalogue()} | {self._own.id: self._own}
 
-    def craft(self, aircraft: str, condition: str | None, variant: str) -> Craft:
-        """An aircraft made ready. Raises NoSuchPart for an id, condition or variant that is not offered."""
+    def craft(self, aircraft: str, condition: str | None, variant: str, like: Craft) -> Craft:
+        """An aircraft made ready, with the equations and the step of `like`.
+
+        Raises NoSuchPart for an id, condition or variant that is not offered.
+        """
         if aircraft not in self.aircraft:
             raise NoSuchPart("aircraft", aircraft, self.aircraft)
-        return make_craft(self.aircraft[aircraft].at(condition, variant), self._form, self._integrator)
+        return make_craft(self.aircraft[aircraft].at(condition, variant), like.form, like.integrator, like.clock.dt)
 
     @cached_property
     def pictures(self) -> bytes:
@@ -44,7 +47,7 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     """
     try:
         flown = parse(header["document"], name).at(header["condition"], header["variant"])
-        return make_craft(flown, header["form"], header["integrator"])
+        return make_craft(flown, header["form"], header["integrator"], header["dt"])
     except (FdesError, KeyError, TypeError):
         return None
 

@@ -4,10 +4,11 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from starlette.applications import Starlette
@@ -87,6 +88,27 @@ class Site:
         recording = await asyncio.to_thread(lambda: open_recording(found(self._cabins, name)))
         return StreamingResponse(csv_blocks(recording), media_type="text/csv", headers=attached(f"{name}.csv"))
 
+    async def netcdf(self, request: Request) -> Response:
+        """A recording as NetCDF."""
+        return await self._written(request, "nc", Recording.to_netcdf)
+
+    async def mat(self, request: Request) -> Response:
+        """A recording for MATLAB."""
+        return await self._written(request, "mat", Recording.to_mat)
+
+    async def _written(self, request: Request, suffix: str, write: Callable[[Recording, Path], None]) -> Response:
+        """A recording in a format that is made whole before it is sent."""
+        name = request.path_params["name"]
+
+        def made() -> bytes:
+            with TemporaryDirectory() as folder:
+                path = Path(folder) / f"recording.{suffix}"
+                write(open_recording(found(self._cabins, name)), path)
+                return path.read_bytes()
+
+        body = await asyncio.to_thread(made)
+        return Response(body, media_type="application/octet-stream", headers=attached(f"{name}.{suffix}"))
+
     async def native(self, request: Request) -> Response:
         """A recording as it is, up to here if it is being written."""
         name = request.path_params["name"]
@@ -141,6 +163,8 @@ def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
             Route("/api/recordings", site.recordings),
             Route("/api/recordings/{name}.csv", site.csv),
             Route("/api/recordings/{name}.fdes", site.native),
+            Route("/api/recordings/{name}.nc", site.netcdf),
+            Route("/api/recordings/{name}.mat", site.mat),
             Route("/api/stats", site.stats),
             WebSocketRoute("/ws/{session}", site.socket),
         ],

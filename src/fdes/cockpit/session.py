@@ -20,6 +20,7 @@ from fdes.errors import SpecError
 
 EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
+SLACK = 1e-9  # s: ticks and steps are sums of fractions
 EXCURSION = [c.name for c in wire.CHANNELS].index("excursion")
 
 
@@ -41,12 +42,23 @@ class Session:
         self._sent = 0  # the tick of the last frame
         self._led = False  # whether that was the first to fly an input
         self._flown_with = self._sortie.flown_with  # the input that was flown in the last tick
+        self._owed = 0.0  # s of flight that are due: a step may be longer than a tick
         self._phase = zlib.crc32(name.encode()) % RATE  # sessions take turns in telling how they stand
 
     @property
     def shown(self) -> Craft:
         """The craft of which frames are sent: that of the flight, or that of the replay."""
         return self._sortie.craft if self._replay is None else self._replayed
+
+    @property
+    def flown(self) -> Craft:
+        """The craft of the flight."""
+        return self._sortie.craft
+
+    def recording_name(self) -> str | None:
+        """The name of the recording under way."""
+        recorder = self._sortie.recorder
+        return None if recorder is None else recorder.path.stem
 
     def tick(self, number: int, late: bool) -> bytes | None:
         """One period of the hub: fly or replay one frame, unless frozen; the state frame, when one is due."""
@@ -77,7 +89,7 @@ class Session:
             recorder, replay = self._sortie.recorder, self._replay
             return {
                 "frozen": self._frozen(),
-                "recording": recorder and {"name": recorder.path.stem, "seconds": round(recorder.frames * DT, 1)},
+                "recording": recorder and {"name": recorder.path.stem, "seconds": round(self._sortie.recorded, 1)},
                 "replay": replay
                 and {"name": replay.name, "t": round(replay.t, 3), "duration": round(replay.duration, 3)},
                 "notice": self._sortie.notice,
@@ -133,11 +145,30 @@ class Session:
                 self._sortie.reset()
             self._show = self.changed = True
 
+    def put_in(self, text: str) -> bool:
+        """Begin a test input. True when a recording should begin. Raises SpecError, NoSuchPart."""
+        with self._lock:
+            first = self._flying().put_in(text)
+            self._show = self.changed = True
+            return first and self._record and self._sortie.recorder is None
+
+    def clear_inputs(self) -> None:
+        """End all test inputs."""
+        with self._lock:
+            self._sortie.clear_inputs()
+
+    def disturb(self, text: str) -> None:
+        """Disturb the state. Raises SpecError, NoSuchPart."""
+        with self._lock:
+            self._flying().disturb(text)
+            self._show = self.changed = True
+
     def change(self, craft: Craft) -> None:
         """Fly another craft. A recording of the present one ends."""
         with self._lock:
             self._sortie.release("aircraft changed")
             self._sortie = Sortie(craft, Stick(throttle=craft.condition.trim_throttle))
+            self._owed = 0.0
             self._replay = None
             self._show = self.changed = True
 
@@ -203,7 +234,10 @@ class Session:
         if self._replay is not None:
             self._replay.advance(DT)
         else:
-            self._sortie.advance()
+            self._owed += DT
+            while self._owed >= self._sortie.craft.clock.dt - SLACK and not self._sortie.frozen:
+                self._owed -= self._sortie.craft.clock.dt
+                self._sortie.advance()
         if self._frozen() or self._sortie.recorder is not recorder:
             self._show = self.changed = True
 

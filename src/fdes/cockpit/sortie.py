@@ -10,12 +10,15 @@ from itertools import count
 from math import isfinite
 from pathlib import Path
 
-from fdes.cockpit.craft import DT, Craft
+from fdes.cockpit.craft import Craft
 from fdes.cockpit.wire import Input
 from fdes.control import Stick
 from fdes.errors import Departed, FdesError
-from fdes.flight import Edit, Frame, Recorder, SteadyAir, fly
+from fdes.flight import Edit, Excitation, Frame, Recorder, SteadyAir, fly
 from fdes.flight.recorder import SUFFIX
+from fdes.flight.response import disturbed
+from fdes.flight.simulation import NO_EXCITATION
+from fdes.physics.signals import Surfaces
 
 SLOWEST = 1.0  # m/s
 MOVED = 0.005  # how far a control must go from where it was at the start to count as moved
@@ -39,8 +42,11 @@ class Sortie:
         self.recorder: Recorder | None = None
         self.given = self.flown_with = Input(stick)
         self._rest = stick
-        self._edit: Edit | None = None
-        self._frames = fly(craft.start, craft.setup, self._pilot, SteadyAir(), craft.clock, edits=self._take_edit)
+        self._edits: list[Edit] = []  # to be made, one a frame
+        self._inputs = Excitation(())
+        self._frames = fly(
+            craft.start, craft.setup, self._pilot, SteadyAir(), craft.clock, self._put_in, edits=self._take_edit
+        )
         self.frame: Frame = next(self._frames)
 
     def take(self, given: Input) -> bool:
@@ -69,11 +75,35 @@ class Sortie:
         except ArithmeticError as ending:
             self.end(f"The flight departed after t = {self.frame.t:.3f} s: {ending}.")
 
+    @property
+    def recorded(self) -> float:
+        """How long the recording is by now [s]."""
+        return 0.0 if self.recorder is None else self.recorder.frames * self.craft.clock.dt
+
     def reset(self) -> None:
         """Be back in undisturbed flight with the next frame, the controls as they were at the start."""
         self.given = self.given._replace(stick=self._rest)
-        self._edit = Edit(state=self.craft.start, note={"reset": True})
+        self._inputs = Excitation(())
+        self._edits = [Edit(state=self.craft.start, note={"reset": True})]
         if self.frozen:
+            self.advance()
+
+    def put_in(self, text: str) -> bool:
+        """Begin a test input with the next frame. True when a recording should begin. Raises SpecError, NoSuchPart."""
+        begun = Excitation.parse([text]).later(self.frame.t + self.craft.clock.dt)
+        self._inputs = Excitation((*self._inputs.parts, *begun.parts))
+        touched, self.touched = self.touched, True
+        return not touched
+
+    def clear_inputs(self) -> None:
+        """End all test inputs."""
+        self._inputs = Excitation(())
+
+    def disturb(self, text: str) -> None:
+        """Add a perturbation to the state at the next frame. Raises SpecError, NoSuchPart."""
+        disturbed(self.craft.start, [text])  # raises now, while there is somebody to tell
+        self._edits.append(Edit(disturb=lambda x: disturbed(x, [text]), note={"disturb": text}))
+        if self.frozen and not self.ended:
             self.advance()
 
     def end(self, message: str) -> None:
@@ -92,9 +122,11 @@ class Sortie:
         self.flown_with = self.given
         return self.given.stick
 
+    def _put_in(self, t: float) -> Surfaces:
+        return self._inputs(t) if self._inputs.parts else NO_EXCITATION
+
     def _take_edit(self, t: float) -> Edit | None:
-        edit, self._edit = self._edit, None
-        return edit
+        return self._edits.pop(0) if self._edits else None
 
     def _record(self, frame: Frame) -> None:
         recorder = self.recorder
@@ -103,7 +135,7 @@ class Sortie:
         if recorder.trouble is not None:
             self.notice = f"The recording ended: {recorder.trouble}"
             self.release("trouble")
-        elif recorder.frames * DT >= LONGEST_RECORDING:
+        elif self.recorded >= LONGEST_RECORDING:
             self.notice = f"The recording ended after {LONGEST_RECORDING / 60.0:.0f} minutes, and was kept."
             self.release("full")
         else:

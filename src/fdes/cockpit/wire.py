@@ -84,6 +84,41 @@ class ChooseAircraft:
 
 
 @dataclass(frozen=True)
+class Equations:
+    """Fly the same aircraft on, from trim, with other equations, another integrator, or another step [s]."""
+
+    form: str
+    integrator: str
+    step: float
+
+
+@dataclass(frozen=True)
+class PutIn:
+    """Begin a test input now, such as ``doublet elevator 2deg for 1s``; its times count from now."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class ClearInputs:
+    """End all test inputs."""
+
+
+@dataclass(frozen=True)
+class Disturb:
+    """Add a perturbation to the state, such as ``beta=5deg``."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Delete:
+    """Delete a recording for good."""
+
+    recording: str
+
+
+@dataclass(frozen=True)
 class PlayBack:
     """Show a recording instead of the flight."""
 
@@ -107,7 +142,22 @@ class Ping:
     """Nothing but an answer."""
 
 
-Command = Freeze | Reset | Step | Record | ChooseAircraft | PlayBack | Seek | StopReplay | Ping
+Command = (
+    Freeze
+    | Reset
+    | Step
+    | Record
+    | ChooseAircraft
+    | Equations
+    | PutIn
+    | ClearInputs
+    | Disturb
+    | Delete
+    | PlayBack
+    | Seek
+    | StopReplay
+    | Ping
+)
 
 COMMANDS: dict[str, type[Command]] = {
     "freeze": Freeze,
@@ -115,6 +165,11 @@ COMMANDS: dict[str, type[Command]] = {
     "step": Step,
     "record": Record,
     "aircraft": ChooseAircraft,
+    "equations": Equations,
+    "input": PutIn,
+    "clear_inputs": ClearInputs,
+    "disturb": Disturb,
+    "delete": Delete,
     "replay": PlayBack,
     "seek": Seek,
     "stop_replay": StopReplay,

@@ -5,9 +5,9 @@
 [0.0, 0.0873, -0.0873, 0.0]
 """
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields
-from typing import get_type_hints
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any, get_type_hints
 
 from fdes.errors import NoSuchPart, SpecError
 from fdes.physics.signals import Surfaces, channels
@@ -23,12 +23,16 @@ _SAID = {"lasting": "for"}
 class Excitation:
     """Inputs added to what the control law commands: the sum, at each time, of all shapes on each channel."""
 
-    parts: tuple[tuple[str, Callable[[float], float]], ...]
+    parts: tuple[tuple[str, Any], ...]
 
     @classmethod
     def parse(cls, texts: Iterable[str]) -> "Excitation":
         """Read descriptions; one text may hold several, separated by semicolons. Raises SpecError or NoSuchPart."""
         return cls(tuple(_parse_one(one) for text in texts for one in text.split(";") if one.strip()))
+
+    def later(self, t: float) -> "Excitation":
+        """The same inputs, begun `t` [s] later."""
+        return Excitation(tuple((channel, replace(shape, at=shape.at + t)) for channel, shape in self.parts))
 
     def over(self, times: Sequence[float]) -> Surfaces:
         """What is added at each of `times` [s]: one list per surface."""
@@ -45,7 +49,7 @@ class Excitation:
         return Surfaces(**total)
 
 
-def _parse_one(text: str) -> tuple[str, Callable[[float], float]]:
+def _parse_one(text: str) -> tuple[str, Any]:
     words = text.split()
     if len(words) < 3:
         raise SpecError(f"The input {text!r} is incomplete. Write it like 'step aileron 15deg at 0s'.")

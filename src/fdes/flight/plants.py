@@ -5,7 +5,7 @@ from typing import get_args
 from fdes.aircraft import FlightCondition
 from fdes.control import exact_hold
 from fdes.errors import NoSuchPart
-from fdes.physics.derivatives import Form, dimensional, matrices
+from fdes.physics.derivatives import Form
 from fdes.physics.small_perturbation import SmallPerturbation
 from fdes.shelf import shelf
 
@@ -29,7 +29,7 @@ def plant_of(
         raise NoSuchPart("form of the linear equations", form, get_args(Form))
     named: Form = form  # type: ignore[assignment]  # just checked
     ref = condition.reference
-    equations = matrices(dimensional(condition.coefficients, ref, named), ref, named)
+    equations = condition.equations(named)
     if integrator == EXACT:
         method = exact_hold(equations, ref, step)
     elif integrator in shelf("integrators").names():

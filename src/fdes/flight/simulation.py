@@ -58,11 +58,15 @@ class Setup(NamedTuple):
 
 
 class Edit(NamedTuple):
-    """A change at a frame boundary. What is None stays; `note` is what the recording says of it."""
+    """A change at a frame boundary. What is None stays; `note` is what the recording says of it.
+
+    `state` begins the flight anew from there, surfaces at trim; `disturb` changes the state that is.
+    """
 
     plant: Plant | None = None
     law: Law | None = None
     state: Any = None
+    disturb: Callable[[Any], Any] | None = None
     note: Mapping[str, Any] = MappingProxyType({})
 
 
@@ -156,6 +160,8 @@ def fly(
             plant, law = edit.plant or plant, edit.law or law
             if edit.state is not None:
                 x, held = edit.state, plant.trim()
+            if edit.disturb is not None:
+                x = edit.disturb(x)
             y = plant.observe(x, held, air)
             memory = law.start(y, stick)
         commanded, remembered = law.step(y, stick, memory, clock.dt)
