@@ -67,6 +67,22 @@ class Mode:
         """The mode as JSON has it: the eigenvalue is ``[real, imaginary]``."""
         return asdict(self) | {"eigenvalue": [self.eigenvalue.real, self.eigenvalue.imag]}
 
+    def _repr_html_(self) -> str:
+        """The mode as a table, for notebooks."""
+        value = f"{self.eigenvalue.real:.4g}" + (f" \u00b1 {self.eigenvalue.imag:.4g}i" if self.oscillatory else "")
+        rows = [
+            ("eigenvalue", value, "rad/s"),
+            ("omega_n", f"{self.omega_n:.4g}", "rad/s"),
+            ("zeta", f"{self.zeta:.4g}", ""),
+        ]
+        for name in ("time_constant", "time_to_half", "time_to_double", "period"):
+            seconds = getattr(self, name)
+            rows += [] if seconds is None else [(name, f"{seconds:.4g}", "s")]
+        share = ", ".join(f"{state} {part:.0%}" for state, part in self.participation.items())
+        body = "".join(f"<tr><th>{name}</th><td>{value} {unit}</td></tr>" for name, value, unit in rows)
+        caption = f"{self.name.replace('_', ' ')}, {self.axis}: {share}"
+        return f"<table><caption>{caption}</caption>{body}</table>"
+
 
 def modes(of: LinearModel | FlightCondition, form: Form = "full") -> list[Mode]:
     """The modes of a linear model, or of an aircraft in a flight condition in the given form of its equations.

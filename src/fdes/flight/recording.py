@@ -4,6 +4,7 @@ import json
 import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from html import escape
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
@@ -33,6 +34,23 @@ class Recording:
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """One column by name."""
         return self.data[:, [c.name for c in self.columns].index(name)]
+
+    def _repr_html_(self) -> str:
+        """What was flown, and how far each signal went, as a table for notebooks."""
+        title = " ".join(str(self.header[key]) for key in ("aircraft", "condition", "started") if key in self.header)
+        t = self.data[:, 0]
+        length = f"{len(t)} rows, {t[0]:g} to {t[-1]:g} s" if len(t) else "no rows"
+        head = "<tr><th>column</th><th>unit</th><th>least</th><th>greatest</th><th>what</th></tr>"
+        moved = [
+            (c, v.min(), v.max()) for c, v in zip(self.columns, self.data.T, strict=True) if len(v) and np.ptp(v) > 0.0
+        ]
+        rows = "".join(
+            f"<tr><td>{c.name}</td><td>{c.unit}</td><td>{low:.4g}</td><td>{high:.4g}</td><td>{c.long_name}</td></tr>"
+            for c, low, high in moved
+        )
+        still = f"{len(self.columns) - len(moved)} columns that did not change are not shown"
+        caption = escape(f"{title or 'Flight'}: {length}; {still}" + ("" if self.complete else "; its end is missing"))
+        return f"<table><caption>{caption}</caption>{head}{rows}</table>"
 
     def to_dataset(self) -> "xarray.Dataset":
         """The flight as a labelled dataset over `t`, with units and long names, and the header as attributes."""
