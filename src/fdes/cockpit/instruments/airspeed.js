@@ -6,7 +6,12 @@ import { DEG, clamp, knots } from "../page/units.js";
 export const title = "airspeed";
 export const needs = ["cas"];
 
-const SCALES = [{ top: 200, minor: 5, major: 20 }, { top: 400, minor: 10, major: 50 }, { top: 700, minor: 20, major: 100 }, { top: 1400, minor: 50, major: 200 }];
+const SCALES = [
+  { top: 200, minor: 5, major: 20 },
+  { top: 400, minor: 10, major: 50 },
+  { top: 700, minor: 20, major: 100 },
+  { top: 1400, minor: 50, major: 200 },
+];
 const SWEEP = 325 * DEG;
 
 const scaleFor = ({ cas = 0 }) => SCALES.find(({ top }) => top >= 1.7 * knots(cas)) ?? SCALES.at(-1);

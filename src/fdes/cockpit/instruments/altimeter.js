@@ -33,7 +33,21 @@ function counter(height) {
 /** A triangle at the rim, out of the way of the numbers, instead of a third hand. */
 function tenThousands(dial, height) {
   dial.turned((height / 100000) * TURN, () => {
-    dial.line([[0, -0.1], [0, -0.72]], 0.012, AMBER);
-    dial.polygon([[0, -0.74], [-0.05, -0.87], [0.05, -0.87]], AMBER);
+    dial.line(
+      [
+        [0, -0.1],
+        [0, -0.72],
+      ],
+      0.012,
+      AMBER,
+    );
+    dial.polygon(
+      [
+        [0, -0.74],
+        [-0.05, -0.87],
+        [0.05, -0.87],
+      ],
+      AMBER,
+    );
   });
 }

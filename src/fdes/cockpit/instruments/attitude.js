@@ -21,7 +21,14 @@ function ring(dial) {
   dial.box(-1, -1, 2, 1, "#2a70b4");
   dial.box(-1, 0, 2, 1, "#5a391a");
   for (const bank of BANKS) dial.tick(bank * DEG, 0.755, bank % 30 ? 0.82 : 0.865, bank % 30 ? 0.016 : 0.026);
-  dial.polygon([[0, -0.745], [-0.06, -0.865], [0.06, -0.865]], WHITE);
+  dial.polygon(
+    [
+      [0, -0.745],
+      [-0.06, -0.865],
+      [0.06, -0.865],
+    ],
+    WHITE,
+  );
 }
 
 function ball(dial, pitch) {
@@ -35,21 +42,53 @@ function ball(dial, pitch) {
   };
   fill("#1d66ad", "#62b5ee", horizon - 1.6, 1.6);
   fill("#92612f", "#48290f", horizon, 1.6);
-  dial.line([[-1, horizon], [1, horizon]], 0.018);
+  dial.line(
+    [
+      [-1, horizon],
+      [1, horizon],
+    ],
+    0.018,
+  );
   const nearest = Math.round(pitch / 5) * 5;
   for (let mark = nearest - 25; mark <= nearest + 25; mark += 5) {
     const y = (pitch - mark) * PER_DEGREE;
     if (mark === 0 || Math.abs(mark) > 90 || Math.abs(y) > 0.58) continue;
     const half = mark % 10 ? 0.1 : 0.21;
-    dial.line([[-half, y], [half, y]], 0.014);
+    dial.line(
+      [
+        [-half, y],
+        [half, y],
+      ],
+      0.014,
+    );
     if (mark % 10 === 0) for (const side of [-1, 1]) dial.text(String(Math.abs(mark)), side * 0.31, y, 0.1);
   }
 }
 
 function aircraft(dial) {
-  dial.polygon([[0, -0.735], [-0.055, -0.635], [0.055, -0.635]], AMBER);
-  for (const [width, color] of [[0.085, BLACK], [0.05, AMBER]]) {
-    for (const side of [-1, 1]) dial.line([[side * 0.54, 0], [side * 0.2, 0], [side * 0.2, 0.07]], width, color, "round");
+  dial.polygon(
+    [
+      [0, -0.735],
+      [-0.055, -0.635],
+      [0.055, -0.635],
+    ],
+    AMBER,
+  );
+  for (const [width, color] of [
+    [0.085, BLACK],
+    [0.05, AMBER],
+  ]) {
+    for (const side of [-1, 1])
+      dial.line(
+        [
+          [side * 0.54, 0],
+          [side * 0.2, 0],
+          [side * 0.2, 0.07],
+        ],
+        width,
+        color,
+        "round",
+      );
     dial.disc(0, 0, width * 0.7, color);
   }
 }

@@ -35,10 +35,41 @@ export function draw(dial, { psi_dot, n_y }) {
   ball(dial, clamp(-n_y / FULL_BALL, -1, 1));
   const bank = clamp((psi_dot / STANDARD_RATE) * MARK, -STOP, STOP);
   dial.turned(bank, () => {
-    for (const [dx, color] of [[0.02, "rgba(0,0,0,0.4)"], [0, WHITE]]) {
-      dial.polygon([[-0.7, -0.02 + dx], [-0.1, -0.045 + dx], [0.1, -0.045 + dx], [0.7, -0.02 + dx], [0.7, 0.02 + dx], [0.1, 0.05 + dx], [-0.1, 0.05 + dx], [-0.7, 0.02 + dx]], color);
-      dial.polygon([[-0.02, dx], [-0.014, -0.23 + dx], [0.014, -0.23 + dx], [0.02, dx]], color);
-      dial.line([[-0.17, -0.15 + dx], [0.17, -0.15 + dx]], 0.03, color, "round");
+    for (const [dx, color] of [
+      [0.02, "rgba(0,0,0,0.4)"],
+      [0, WHITE],
+    ]) {
+      dial.polygon(
+        [
+          [-0.7, -0.02 + dx],
+          [-0.1, -0.045 + dx],
+          [0.1, -0.045 + dx],
+          [0.7, -0.02 + dx],
+          [0.7, 0.02 + dx],
+          [0.1, 0.05 + dx],
+          [-0.1, 0.05 + dx],
+          [-0.7, 0.02 + dx],
+        ],
+        color,
+      );
+      dial.polygon(
+        [
+          [-0.02, dx],
+          [-0.014, -0.23 + dx],
+          [0.014, -0.23 + dx],
+          [0.02, dx],
+        ],
+        color,
+      );
+      dial.line(
+        [
+          [-0.17, -0.15 + dx],
+          [0.17, -0.15 + dx],
+        ],
+        0.03,
+        color,
+        "round",
+      );
       dial.disc(0, dx, 0.095, color);
     }
   });
@@ -52,6 +83,13 @@ function ball(dial, share) {
   const wire = 0.105 / TUBE.radius;
   for (const side of [-1, 1]) {
     const [wx, wy] = onTube(side * wire);
-    dial.line([[wx, wy - 0.11], [wx, wy + 0.11]], 0.02, BLACK);
+    dial.line(
+      [
+        [wx, wy - 0.11],
+        [wx, wy + 0.11],
+      ],
+      0.02,
+      BLACK,
+    );
   }
 }

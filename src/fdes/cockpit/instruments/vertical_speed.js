@@ -6,12 +6,21 @@ import { DEG, clamp, feetPerMinute } from "../page/units.js";
 export const title = "vertical speed";
 export const needs = ["h_dot"];
 
-const STOPS = [[0, 0], [1, 42], [2, 82], [4, 130], [6, 172]]; // thousand ft/min -> degrees from level
+const STOPS = [
+  [0, 0],
+  [1, 42],
+  [2, 82],
+  [4, 130],
+  [6, 172],
+]; // thousand ft/min -> degrees from level
 
 /** Clockwise from the top; level flight points left. */
 function angle(thousands) {
   const size = clamp(Math.abs(thousands), 0, 6);
-  const i = Math.max(1, STOPS.findIndex(([value]) => value >= size));
+  const i = Math.max(
+    1,
+    STOPS.findIndex(([value]) => value >= size),
+  );
   const [[v0, a0], [v1, a1]] = [STOPS[i - 1], STOPS[i]];
   return (-90 + Math.sign(thousands) * (a0 + ((size - v0) / (v1 - v0)) * (a1 - a0))) * DEG;
 }

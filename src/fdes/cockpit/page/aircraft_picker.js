@@ -23,15 +23,32 @@ export class AircraftPicker {
   }
 
   choice() {
-    return html("fieldset", { class: "segments" }, html("legend", {}, "Numbers"),
-      VARIANTS.map(([value, label, title]) => html("label", { title },
-        html("input", { type: "radio", name: "variant", value, checked: value === this.variant, onchange: () => (this.variant = value) }), label)));
+    return html(
+      "fieldset",
+      { class: "segments" },
+      html("legend", {}, "Numbers"),
+      VARIANTS.map(([value, label, title]) =>
+        html(
+          "label",
+          { title },
+          html("input", {
+            type: "radio",
+            name: "variant",
+            value,
+            checked: value === this.variant,
+            onchange: () => (this.variant = value),
+          }),
+          label,
+        ),
+      ),
+    );
   }
 
   setCurrent(aircraft) {
     this.current = aircraft;
     this.variant = aircraft.variant;
-    for (const input of this.dialog.querySelectorAll("[name=variant]")) input.checked = input.value === aircraft.variant;
+    for (const input of this.dialog.querySelectorAll("[name=variant]"))
+      input.checked = input.value === aircraft.variant;
     this.mark();
   }
 
@@ -51,21 +68,39 @@ export class AircraftPicker {
   card(aircraft) {
     const masses = [...new Set(aircraft.conditions.map(({ mass_kg }) => Math.round(mass_kg)))];
     const heading = `aircraft-${aircraft.id.replace(/\W/g, "")}`;
-    return html("article", { class: "plane", "aria-labelledby": heading },
+    return html(
+      "article",
+      { class: "plane", "aria-labelledby": heading },
       threeView(aircraft.id, aircraft.three_view),
       html("h3", { id: heading }, aircraft.name),
       html("p", { class: "summary" }, aircraft.summary),
-      html("p", { class: "facts" }, masses.map((mass) => `${mass.toLocaleString("en")} kg`).join(" · "), html("small", {}, ` (${masses.map((mass) => Math.round(mass / POUND).toLocaleString("en")).join(", ")} lb)`)),
-      html("div", { class: "conditions" }, aircraft.conditions.map((condition) => this.button(aircraft, condition))),
-      html("p", { class: "source" }, `Source: ${aircraft.source}`));
+      html(
+        "p",
+        { class: "facts" },
+        masses.map((mass) => `${mass.toLocaleString("en")} kg`).join(" · "),
+        html("small", {}, ` (${masses.map((mass) => Math.round(mass / POUND).toLocaleString("en")).join(", ")} lb)`),
+      ),
+      html(
+        "div",
+        { class: "conditions" },
+        aircraft.conditions.map((condition) => this.button(aircraft, condition)),
+      ),
+      html("p", { class: "source" }, `Source: ${aircraft.source}`),
+    );
   }
 
   button(aircraft, condition) {
-    return html("button", {
-      "data-aircraft": aircraft.id, "data-condition": condition.id,
-      title: condition.confidence && `Confidence in these numbers: ${condition.confidence}`,
-      onclick: () => this.choose(aircraft.id, condition.id),
-    }, html("b", {}, condition.name), html("span", {}, `${Math.round(knots(condition.V))} kt`));
+    return html(
+      "button",
+      {
+        "data-aircraft": aircraft.id,
+        "data-condition": condition.id,
+        title: condition.confidence && `Confidence in these numbers: ${condition.confidence}`,
+        onclick: () => this.choose(aircraft.id, condition.id),
+      },
+      html("b", {}, condition.name),
+      html("span", {}, `${Math.round(knots(condition.V))} kt`),
+    );
   }
 
   async choose(aircraft, condition) {

@@ -14,29 +14,53 @@ export function drawSheet(panel, aircraft) {
 
 function facts(aircraft) {
   const { full_stick: full } = aircraft;
-  const numbers = aircraft.variant === "printed" ? "as printed in the source" : "corrected where the source is known to be wrong";
+  const numbers =
+    aircraft.variant === "printed" ? "as printed in the source" : "corrected where the source is known to be wrong";
   const rows = [
     ["Flight condition", aircraft.condition_name],
     ["Numbers", numbers],
-    ["Mass", `${Math.round(aircraft.mass_kg).toLocaleString("en")} kg (${Math.round(aircraft.mass_kg / POUND).toLocaleString("en")} lb)`],
-    ["Trim speed", `${figure(aircraft.V, 4)} m/s (${Math.round(knots(aircraft.V))} kt true), Mach ${aircraft.mach.toFixed(2)}`],
-    ["Flight begins at", `${Math.round(aircraft.h).toLocaleString("en")} m (${Math.round(feet(aircraft.h)).toLocaleString("en")} ft)`],
+    ["Mass", `${whole(aircraft.mass_kg)} kg (${whole(aircraft.mass_kg / POUND)} lb)`],
+    [
+      "Trim speed",
+      `${figure(aircraft.V, 4)} m/s (${Math.round(knots(aircraft.V))} kt true), Mach ${aircraft.mach.toFixed(2)}`,
+    ],
+    ["Flight begins at", `${whole(aircraft.h)} m (${whole(feet(aircraft.h))} ft)`],
     ["Trim angle of attack", `${degrees(aircraft.alpha_trim).toFixed(2)}°`],
-    ["Full stick", `aft: elevator ${angle(full.elevator)}; right: aileron ${angle(full.aileron)}; right pedal: rudder ${angle(full.rudder)}`],
+    [
+      "Full stick",
+      `aft: elevator ${angle(full.elevator)}; right: aileron ${angle(full.aileron)}; ` +
+        `right pedal: rudder ${angle(full.rudder)}`,
+    ],
     ["Equations", `linear, form “${aircraft.form}”, good to 15° from trim`],
     ["Integrator", `${aircraft.integrator}, step 1/${Math.round(1 / aircraft.dt)} s`],
   ];
-  return html("dl", { class: "sheet" }, rows.flatMap(([name, value]) => [html("dt", {}, name), html("dd", {}, value)]));
+  return html(
+    "dl",
+    { class: "sheet" },
+    rows.flatMap(([name, value]) => [html("dt", {}, name), html("dd", {}, value)]),
+  );
 }
 
+const whole = (number) => Math.round(number).toLocaleString("en");
 const angle = (radians) => `${(radians / DEG).toFixed(0)}°`;
 
 function assumptions(assumed) {
   if (!assumed.length) return [];
   return [
     html("h3", {}, "Assumed: no source gives these"),
-    html("ul", { class: "assumed" }, assumed.map(({ name, value, unit, reason }) => html("li", {},
-      html("span", { class: "tag" }, "ASSUMED"), html("b", {}, `${name} = ${quantity(value, unit)}`), html("p", {}, reason)))),
+    html(
+      "ul",
+      { class: "assumed" },
+      assumed.map(({ name, value, unit, reason }) =>
+        html(
+          "li",
+          {},
+          html("span", { class: "tag" }, "ASSUMED"),
+          html("b", {}, `${name} = ${quantity(value, unit)}`),
+          html("p", {}, reason),
+        ),
+      ),
+    ),
   ];
 }
 
@@ -46,5 +70,14 @@ function quantity(value, unit) {
 }
 
 function notes(list) {
-  return list.length ? [html("h3", {}, "Notes"), html("ul", { class: "notes" }, list.map((note) => html("li", {}, note)))] : [];
+  return list.length
+    ? [
+        html("h3", {}, "Notes"),
+        html(
+          "ul",
+          { class: "notes" },
+          list.map((note) => html("li", {}, note)),
+        ),
+      ]
+    : [];
 }

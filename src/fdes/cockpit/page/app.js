@@ -26,7 +26,17 @@ const chart = new StripChart(byId("chart"));
 const panel = await InstrumentPanel.load(byId("instruments"), query.get("instruments")?.split(",") ?? SIX);
 
 const cockpit = new Cockpit(
-  { link, stick, chart, panel, theme, worldCanvas: byId("world"), hudCanvas: byId("hud"), instrumentCanvas: byId("instruments"), chartCanvas: byId("chart") },
+  {
+    link,
+    stick,
+    chart,
+    panel,
+    theme,
+    worldCanvas: byId("world"),
+    hudCanvas: byId("hud"),
+    instrumentCanvas: byId("instruments"),
+    chartCanvas: byId("chart"),
+  },
   { worldKind: query.get("world") ?? "auto", look: query.get("look") },
 );
 const topBar = new TopBar(link, cockpit, stick);
@@ -100,7 +110,8 @@ const actions = {
   help: () => byId("help").showModal(),
 };
 listenToKeys(actions);
-for (const button of document.querySelectorAll("[data-action]")) button.addEventListener("click", () => actions[button.dataset.action]());
+for (const button of document.querySelectorAll("[data-action]"))
+  button.addEventListener("click", () => actions[button.dataset.action]());
 byId("choose-aircraft").addEventListener("click", () => picker.open());
 byId("choose-signals").addEventListener("click", () => chooser.open());
 byId("start-again").addEventListener("click", reset);
@@ -163,7 +174,11 @@ document.addEventListener("visibilitychange", () => {
 
 cockpit.onFrame = (drawn) => {
   const mine = cockpit.flying && !link.has(FLAG.replay);
-  indicator.draw(mine ? cockpit.held : { pitch: drawn.stick_pitch, roll: drawn.stick_roll, yaw: drawn.stick_yaw, throttle: drawn.stick_throttle });
+  indicator.draw(
+    mine
+      ? cockpit.held
+      : { pitch: drawn.stick_pitch, roll: drawn.stick_roll, yaw: drawn.stick_yaw, throttle: drawn.stick_throttle },
+  );
   topBar.showFlags();
 };
 cockpit.start();
@@ -172,7 +187,14 @@ setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.
 
 /** For tests and for the curious. */
 window.fdes = {
-  link, stick, chart, panel, theme, drawn: cockpit.drawn, stats: cockpit.stats, hud: cockpit.hud,
+  link,
+  stick,
+  chart,
+  panel,
+  theme,
+  drawn: cockpit.drawn,
+  stats: cockpit.stats,
+  hud: cockpit.hud,
   get world() {
     return cockpit.world;
   },

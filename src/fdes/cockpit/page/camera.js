@@ -35,10 +35,10 @@ export function bodyAxes({ phi, theta, psi }) {
   const [st, ct] = [Math.sin(theta), Math.cos(theta)];
   const [ss, cs] = [Math.sin(psi), Math.cos(psi)];
   return [
-    ct * cs, ct * ss, -st,
-    sp * st * cs - cp * ss, sp * st * ss + cp * cs, sp * ct,
-    cp * st * cs + sp * ss, cp * st * ss - sp * cs, cp * ct,
-  ];
+    [ct * cs, ct * ss, -st],
+    [sp * st * cs - cp * ss, sp * st * ss + cp * cs, sp * ct],
+    [cp * st * cs + sp * ss, cp * st * ss - sp * cs, cp * ct],
+  ].flat();
 }
 
 /** A vector in north-east-down components, in body axes. */

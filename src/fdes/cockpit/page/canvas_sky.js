@@ -28,7 +28,15 @@ function drawSun({ context, cam, look }) {
   const [sx, sy] = [cam.cx + (cam.f * y) / x, cam.cy + (cam.f * z) / x];
   const glow = cam.height * (look.lamps ? 0.75 : 0.5);
   const light = context.createRadialGradient(sx, sy, 0, sx, sy, glow);
-  for (const [at, alpha, white] of [[0, 1, 0.95], [0.045, 1, 0.8], [0.062, 0.7, 0.3], [0.12, 0.42, 0], [0.35, 0.16, 0], [1, 0, 0]]) light.addColorStop(at, css(mix(look.sunColor, [1, 1, 1], white), undefined, alpha));
+  for (const [at, alpha, white] of [
+    [0, 1, 0.95],
+    [0.045, 1, 0.8],
+    [0.062, 0.7, 0.3],
+    [0.12, 0.42, 0],
+    [0.35, 0.16, 0],
+    [1, 0, 0],
+  ])
+    light.addColorStop(at, css(mix(look.sunColor, [1, 1, 1], white), undefined, alpha));
   context.fillStyle = light;
   context.fillRect(sx - glow, sy - glow, 2 * glow, 2 * glow);
 }
@@ -63,7 +71,7 @@ const sprites = new Map();
 
 /** Clouds "above" the eye lie behind the land, those "below" in front of it. */
 export function drawClouds({ context, cam, look }, where) {
-  if ((cam.eye < CLOUD_BASE) !== (where === "above")) return;
+  if (cam.eye < CLOUD_BASE !== (where === "above")) return;
   const reach = Math.ceil(CLOUDS_WITHIN / CLOUD_CELL);
   const [ci, cj] = [Math.floor(cam.north / CLOUD_CELL), Math.floor(cam.east / CLOUD_CELL)];
   const seen = [];

@@ -98,7 +98,10 @@ export class Cockpit {
   words() {
     const { link } = this;
     const big = !link.alive ? "NO DATA" : link.has(FLAG.replay) ? "REPLAY" : link.has(FLAG.frozen) ? "FREEZE" : "";
-    return { big: link.has(FLAG.ended) && link.alive ? "" : big, small: link.has(FLAG.beyondLinear) ? "LINEAR MODEL BEYOND 15 DEG" : "" };
+    return {
+      big: link.has(FLAG.ended) && link.alive ? "" : big,
+      small: link.has(FLAG.beyondLinear) ? "LINEAR MODEL BEYOND 15 DEG" : "",
+    };
   }
 
   count(now) {

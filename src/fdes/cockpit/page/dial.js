@@ -84,7 +84,14 @@ export class Dial {
 
   tick(angle, from, to, width, color = WHITE) {
     const [sin, cos] = [Math.sin(angle), -Math.cos(angle)];
-    this.line([[from * sin, from * cos], [to * sin, to * cos]], width, color);
+    this.line(
+      [
+        [from * sin, from * cos],
+        [to * sin, to * cos],
+      ],
+      width,
+      color,
+    );
   }
 
   arc(from, to, share, width, color) {
@@ -113,7 +120,13 @@ export class Dial {
 
   /** A tapered hand with a shadow, `length` long from the middle, `tail` behind it. */
   needle(angle, length, width, { color = WHITE, tail = 0.18 } = {}) {
-    const shape = [[-width, tail], [-width * 0.75, -length + 0.12], [0, -length], [width * 0.75, -length + 0.12], [width, tail]];
+    const shape = [
+      [-width, tail],
+      [-width * 0.75, -length + 0.12],
+      [0, -length],
+      [width * 0.75, -length + 0.12],
+      [width, tail],
+    ];
     const { context, radius } = this;
     context.save();
     context.translate(0.012 * radius, 0.022 * radius);
@@ -129,18 +142,36 @@ export class Dial {
 
   /** A small arrow outside the scale: where the aircraft was in trim. */
   bug(angle) {
-    this.turned(angle, () => this.polygon([[0, -0.74], [-0.045, -0.64], [0.045, -0.64]], CYAN));
+    this.turned(angle, () =>
+      this.polygon(
+        [
+          [0, -0.74],
+          [-0.045, -0.64],
+          [0.045, -0.64],
+        ],
+        CYAN,
+      ),
+    );
   }
 
   /** The two-tone case and the dark face, under everything else. */
   case() {
     const { context, radius } = this;
     const rim = context.createLinearGradient(-radius, -radius, radius, radius);
-    for (const [at, color] of [[0, "#6a747f"], [0.4, "#323941"], [1, "#15191d"]]) rim.addColorStop(at, color);
+    for (const [at, color] of [
+      [0, "#6a747f"],
+      [0.4, "#323941"],
+      [1, "#15191d"],
+    ])
+      rim.addColorStop(at, color);
     this.disc(0, 0, 0.985, rim);
     this.disc(0, 0, 0.915, "#07090b");
     const face = context.createRadialGradient(0, -0.3 * radius, 0.1 * radius, 0, 0, 0.95 * radius);
-    for (const [at, color] of [[0, "#20262c"], [1, "#0a0d10"]]) face.addColorStop(at, color);
+    for (const [at, color] of [
+      [0, "#20262c"],
+      [1, "#0a0d10"],
+    ])
+      face.addColorStop(at, color);
     this.disc(0, 0, GLASS, face);
   }
 
@@ -149,7 +180,11 @@ export class Dial {
     const { context, radius } = this;
     this.clipped(() => {
       const shine = context.createLinearGradient(0, -radius, 0, 0);
-      for (const [at, color] of [[0, "rgba(255,255,255,0.13)"], [1, "rgba(255,255,255,0)"]]) shine.addColorStop(at, color);
+      for (const [at, color] of [
+        [0, "rgba(255,255,255,0.13)"],
+        [1, "rgba(255,255,255,0)"],
+      ])
+        shine.addColorStop(at, color);
       context.beginPath();
       context.ellipse(-0.1 * radius, -0.62 * radius, 0.86 * radius, 0.5 * radius, -0.25, 0, TURN);
       context.fillStyle = shine;

@@ -18,17 +18,41 @@ const ADVICE = [
   "Tap rather than hold: the stick travels while a key is down and centers by itself.",
   "The circle with wings in the display is the flight-path marker: the aircraft goes where it points.",
   "To turn, bank with → and hold the nose up with a little ↓. Bank the other way to roll out.",
-  "The aircraft is linear about its trim: beyond 15° the display says so, and it no longer flies as the real one would.",
+  "The aircraft is linear about its trim: beyond 15° the display says so, and it flies unlike the real one.",
   "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, right stick for the pedals.",
 ];
 
-const table = (title, rows) => html("table", { class: "keys" }, html("caption", {}, title),
-  html("tbody", {}, rows.map(({ keys, does }) => html("tr", {}, html("th", { scope: "row" }, keys.map((key) => html("kbd", {}, key))), html("td", {}, does)))));
+const table = (title, rows) =>
+  html(
+    "table",
+    { class: "keys" },
+    html("caption", {}, title),
+    html(
+      "tbody",
+      {},
+      rows.map(({ keys, does }) =>
+        html(
+          "tr",
+          {},
+          html(
+            "th",
+            { scope: "row" },
+            keys.map((key) => html("kbd", {}, key)),
+          ),
+          html("td", {}, does),
+        ),
+      ),
+    ),
+  );
 
 export function fillHelp(dialog) {
   dialog.querySelector(".dialog-body").append(
     html("div", { class: "key-tables" }, table("Stick, pedals, throttle", STICK), table("Simulation", KEYS)),
     html("h3", {}, "Flying"),
-    html("ul", { class: "notes" }, ADVICE.map((line) => html("li", {}, line))),
+    html(
+      "ul",
+      { class: "notes" },
+      ADVICE.map((line) => html("li", {}, line)),
+    ),
   );
 }

@@ -56,7 +56,11 @@ export class InstrumentPanel {
       const missing = instrument.needs.filter((name) => outputs[name] === undefined);
       if (missing.length) dial.text("OFF", 0, 0, 0.3, GREY);
       else instrument.draw(dial, outputs, this.start);
-      context.drawImage(this.cached("glass", radius, (d) => d.glass()), -radius, -radius);
+      context.drawImage(
+        this.cached("glass", radius, (d) => d.glass()),
+        -radius,
+        -radius,
+      );
     });
   }
 

@@ -137,13 +137,15 @@ export class Link {
 
   /** Sends a command; the promise brings the reply, or fails with the server's own sentence. */
   command(name, fields = {}) {
-    if (!this.connected) return Promise.reject(new Error("No connection to the simulator. It is tried again by itself."));
+    if (!this.connected)
+      return Promise.reject(new Error("No connection to the simulator. It is tried again by itself."));
     const id = ++this.commandId;
     const { promise, resolve, reject } = withResolvers();
     this.waiting.set(id, { resolve, reject });
     this.socket.send(JSON.stringify({ type: "command", version: VERSION, id, name, ...fields }));
     setTimeout(() => {
-      if (this.waiting.delete(id)) reject(new Error(`The simulator did not answer "${name}" within ${REPLY_WITHIN / 1000} s.`));
+      if (this.waiting.delete(id))
+        reject(new Error(`The simulator did not answer "${name}" within ${REPLY_WITHIN / 1000} s.`));
     }, REPLY_WITHIN);
     return promise;
   }

@@ -26,8 +26,20 @@ export class ModesPanel {
   show(modes) {
     this.modes = modes;
     this.drawPlane();
-    const head = html("thead", {}, html("tr", {}, COLUMNS.map(([label, title]) => html("th", { scope: "col", title }, label))));
-    this.table.replaceChildren(html("caption", { class: "unseen" }, "Natural modes"), head, html("tbody", {}, modes.map(row)));
+    const head = html(
+      "thead",
+      {},
+      html(
+        "tr",
+        {},
+        COLUMNS.map(([label, title]) => html("th", { scope: "col", title }, label)),
+      ),
+    );
+    this.table.replaceChildren(
+      html("caption", { class: "unseen" }, "Natural modes"),
+      head,
+      html("tbody", {}, modes.map(row)),
+    );
   }
 
   drawPlane() {
@@ -36,15 +48,23 @@ export class ModesPanel {
   }
 
   highlight(name) {
-    for (const element of [...this.plane.querySelectorAll("[data-mode]"), ...this.table.querySelectorAll("[data-mode]")]) element.classList.toggle("is-pointed", element.dataset.mode === name);
+    for (const element of [
+      ...this.plane.querySelectorAll("[data-mode]"),
+      ...this.table.querySelectorAll("[data-mode]"),
+    ])
+      element.classList.toggle("is-pointed", element.dataset.mode === name);
   }
 }
 
 function row(mode) {
   const { name, axis, omega_n, zeta, time_constant, time_to_half, time_to_double, period } = mode;
   const growing = time_to_double !== null;
-  const who = Object.entries(mode.participation ?? {}).map(([state, share]) => `${state} ${Math.round(100 * share)} %`).join(", ");
-  return html("tr", { "data-mode": name, title: who && `Who takes part: ${who}` },
+  const who = Object.entries(mode.participation ?? {})
+    .map(([state, share]) => `${state} ${Math.round(100 * share)} %`)
+    .join(", ");
+  return html(
+    "tr",
+    { "data-mode": name, title: who && `Who takes part: ${who}` },
     html("th", { scope: "row" }, html("i", { class: `swatch ${axis}` }), modeName(name)),
     html("td", {}, figure(omega_n)),
     html("td", {}, period === null ? "–" : figure(zeta)),

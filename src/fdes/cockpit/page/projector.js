@@ -32,17 +32,31 @@ export class Projector {
 
   /** A flat rectangle on the ground. */
   rectangle(south, north, west, east, color) {
-    this.polygon([[south, west], [north, west], [north, east], [south, east]], color);
+    this.polygon(
+      [
+        [south, west],
+        [north, west],
+        [north, east],
+        [south, east],
+      ],
+      color,
+    );
   }
 
   /** A filled polygon of ground points [north, east]. */
   polygon(points, color) {
-    this.fill(points.map(([n, e]) => this.place(n, e)), color);
+    this.fill(
+      points.map(([n, e]) => this.place(n, e)),
+      color,
+    );
   }
 
   /** A filled polygon of points [north, east, up]. */
   solid(points, color) {
-    this.fill(points.map(([n, e, up]) => this.place(n, e, up)), color);
+    this.fill(
+      points.map(([n, e, up]) => this.place(n, e, up)),
+      color,
+    );
   }
 
   /** The ground between two lines of points, drawn link by link: a long curved band is no convex polygon. */
@@ -58,7 +72,15 @@ export class Projector {
     const along = [n1 - n0, e1 - e0];
     const half = width / 2 / Math.hypot(...along);
     const [dn, de] = [-along[1] * half, along[0] * half];
-    this.polygon([[n0 + dn, e0 + de], [n1 + dn, e1 + de], [n1 - dn, e1 - de], [n0 - dn, e0 - de]], color);
+    this.polygon(
+      [
+        [n0 + dn, e0 + de],
+        [n1 + dn, e1 + de],
+        [n1 - dn, e1 - de],
+        [n0 - dn, e0 - de],
+      ],
+      color,
+    );
     const { context } = this;
     context.strokeStyle = color;
     context.lineWidth = FINEST;

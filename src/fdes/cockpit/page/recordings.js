@@ -16,33 +16,89 @@ export class RecordingsPanel {
       const list = await fetchJson("/api/recordings");
       this.panel.replaceChildren(list.length ? this.list(list) : lesson());
     } catch (error) {
-      this.panel.replaceChildren(html("p", { class: "problem", role: "alert" }, `The recordings could not be read. ${error.message}`));
+      this.panel.replaceChildren(
+        html("p", { class: "problem", role: "alert" }, `The recordings could not be read. ${error.message}`),
+      );
     }
   }
 
   list(recordings) {
-    return html("ul", { class: "recordings", "aria-label": "Recordings, newest first" }, recordings.map((recording) => {
-      const file = `/api/recordings/${encodeURIComponent(recording.name)}`;
-      const what = `${recording.aircraft}, ${recording.condition}`;
-      return html("li", { class: recording.name === this.playing ? "is-playing" : "" },
-        html("div", {}, html("b", {}, what), html("small", {}, `${when(recording.started)} · ${minutes(recording.seconds)} · ${size(recording.bytes)}`)),
-        html("span", { class: "row-actions" },
-          html("button", { onclick: () => this.command("replay", { recording: recording.name }), "aria-label": `Replay ${what}, ${when(recording.started)}` }, "Replay"),
-          html("a", { class: "button", href: `${file}.csv`, download: `${recording.name}.csv`, "aria-label": `Download ${what} as CSV`, title: "Columns with units, for a spreadsheet" }, "CSV"),
-          html("a", { class: "button", href: `${file}.fdes`, download: `${recording.name}.fdes`, "aria-label": `Download ${what} as FDES recording`, title: "Every number as it was flown, for fdes and Python" }, "FDES")));
-    }));
+    return html(
+      "ul",
+      { class: "recordings", "aria-label": "Recordings, newest first" },
+      recordings.map((recording) => {
+        const file = `/api/recordings/${encodeURIComponent(recording.name)}`;
+        const what = `${recording.aircraft}, ${recording.condition}`;
+        const details = [when(recording.started), minutes(recording.seconds), size(recording.bytes)];
+        return html(
+          "li",
+          { class: recording.name === this.playing ? "is-playing" : "" },
+          html("div", {}, html("b", {}, what), html("small", {}, details.join(" · "))),
+          html(
+            "span",
+            { class: "row-actions" },
+            html(
+              "button",
+              {
+                onclick: () => this.command("replay", { recording: recording.name }),
+                "aria-label": `Replay ${what}, ${when(recording.started)}`,
+              },
+              "Replay",
+            ),
+            html(
+              "a",
+              {
+                class: "button",
+                href: `${file}.csv`,
+                download: `${recording.name}.csv`,
+                "aria-label": `Download ${what} as CSV`,
+                title: "Columns with units, for a spreadsheet",
+              },
+              "CSV",
+            ),
+            html(
+              "a",
+              {
+                class: "button",
+                href: `${file}.fdes`,
+                download: `${recording.name}.fdes`,
+                "aria-label": `Download ${what} as FDES recording`,
+                title: "Every number as it was flown, for fdes and Python",
+              },
+              "FDES",
+            ),
+          ),
+        );
+      }),
+    );
   }
 }
 
 function lesson() {
-  return html("div", { class: "lesson" },
+  return html(
+    "div",
+    { class: "lesson" },
     html("h3", {}, "No recordings yet"),
-    html("p", {}, "Move the stick: recording starts by itself. End it with the Record button or the key C, and it appears here to be replayed, or downloaded as CSV."));
+    html(
+      "p",
+      {},
+      "Move the stick: recording starts by itself. End it with the Record button or the key C, and it appears here " +
+        "to be replayed, or downloaded as CSV.",
+    ),
+  );
 }
 
 function when(started) {
   const date = new Date(started);
-  return Number.isNaN(date.getTime()) ? String(started) : date.toLocaleString("en-GB", { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit", second: "2-digit" });
+  return Number.isNaN(date.getTime())
+    ? String(started)
+    : date.toLocaleString("en-GB", {
+        day: "numeric",
+        month: "short",
+        hour: "2-digit",
+        minute: "2-digit",
+        second: "2-digit",
+      });
 }
 
 const size = (bytes) => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);

@@ -1,7 +1,8 @@
 /** How finely the outside world is drawn: coarser on a machine that cannot keep up, finer again when it can. */
 
 const SLOW = 21; // ms between pictures: more than one missed at 60 Hz
-const PATIENCE = { start: 120, slow: 0.6, quiet: 150 }; // pictures at first that do not count; share of slow ones; ones in time
+// Pictures at first that do not count; share of slow ones that is too much; ones in time before it is finer again.
+const PATIENCE = { start: 120, slow: 0.6, quiet: 150 };
 const LONG = 100; // ms: so slow from the first picture on that waiting is no use
 const STEP = { down: 0.8, up: 1.15 };
 

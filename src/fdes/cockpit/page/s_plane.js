@@ -43,15 +43,22 @@ function drawPane(plane, named, all, { x, width, height, title }) {
   const grid = svg("g", { class: "s-grid", "clip-path": `url(#${clipId})` });
   grid.append(svg("rect", { class: "s-unstable", x: at.x(0), y: 0, width: Math.max(0, x + width - at.x(0)), height }));
   const step = roundStep(top / 2);
-  for (let r = step; r < 1.6 * Math.hypot(left, top); r += step) grid.append(svg("ellipse", { cx: at.x(0), cy: at.y(0), rx: r * sx, ry: r * sy }));
+  for (let r = step; r < 1.6 * Math.hypot(left, top); r += step)
+    grid.append(svg("ellipse", { cx: at.x(0), cy: at.y(0), rx: r * sx, ry: r * sy }));
   for (const zeta of DAMPING) {
     const far = 3 * Math.hypot(left, top);
-    for (const side of [-1, 1]) grid.append(svg("path", { class: "s-ray", d: `M${at.x(0)} ${at.y(0)}L${at.x(-zeta * far)} ${at.y(side * Math.sqrt(1 - zeta * zeta) * far)}` }));
+    for (const side of [-1, 1])
+      grid.append(
+        svg("path", {
+          class: "s-ray",
+          d: `M${at.x(0)} ${at.y(0)}L${at.x(-zeta * far)} ${at.y(side * Math.sqrt(1 - zeta * zeta) * far)}`,
+        }),
+      );
   }
   grid.append(svg("path", { class: "s-axis", d: `M${x} ${at.y(0)}H${x + width}M${at.x(0)} 0V${height}` }));
 
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
-  const words = [[x, x + title.length * 5.6, height - 14, height]]; // what names must not cover: left, right, top, bottom
+  const words = [[x, x + title.length * 5.6, height - 14, height]]; // not to be covered: left, right, top, bottom
   for (let im = step; im < top; im += step) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
     words.push([at.x(0), at.x(0) + 22, at.y(im) - 5, at.y(im) + 4]);
@@ -69,8 +76,13 @@ function drawPane(plane, named, all, { x, width, height, title }) {
 
 /** Crosses, and names beside those of the upper half, where they touch neither a cross nor another name. */
 function placeLabels(plane, modes, at, pane, words) {
-  const crosses = modes.flatMap(({ eigenvalue: [re, im] }) => (im ? [1, -1] : [1]).map((side) => ({ x: at.x(re), y: at.y(side * im), reach: 6 })));
-  const taken = [...words, ...crosses.map(({ x: px, y: py, reach }) => [px - reach, px + reach, py - reach, py + reach])];
+  const crosses = modes.flatMap(({ eigenvalue: [re, im] }) =>
+    (im ? [1, -1] : [1]).map((side) => ({ x: at.x(re), y: at.y(side * im), reach: 6 })),
+  );
+  const taken = [
+    ...words,
+    ...crosses.map(({ x: px, y: py, reach }) => [px - reach, px + reach, py - reach, py + reach]),
+  ];
   for (const mode of modes) {
     const [re, im] = mode.eigenvalue;
     const group = svg("g", { class: `s-root s-${mode.axis}${re > 0 ? " s-divergent" : ""}`, "data-mode": mode.name });
@@ -90,12 +102,26 @@ function placeLabels(plane, modes, at, pane, words) {
 /** Where a name `wide` px long goes: left, right, above or below its cross, whichever is free first. */
 function freeSpot(px, py, wide, { x, width, height }, taken) {
   const center = clamp(px - wide / 2, x + 5, x + width - wide - 5);
-  const spots = [[px - 9 - wide, py + 3.5], [px + 9, py + 3.5], [center, py - 9], [center, py + 17], [px - 9 - wide, py + 13], [px - 9 - wide, py - 6], [px + 9, py - 6], [center, py - 19], [center, py + 28]];
+  const spots = [
+    [px - 9 - wide, py + 3.5],
+    [px + 9, py + 3.5],
+    [center, py - 9],
+    [center, py + 17],
+    [px - 9 - wide, py + 13],
+    [px - 9 - wide, py - 6],
+    [px + 9, py - 6],
+    [center, py - 19],
+    [center, py + 28],
+  ];
   if (Math.abs(py - (PAD.top + height - PAD.bottom) / 2) < 1) spots.unshift(spots[2]); // not along the real axis
   const candidates = spots.map(([left, base]) => ({ x: left, y: base, box: [left, left + wide, base - 9, base + 2] }));
   const touches = ([l, r, t, b]) => taken.some(([L, R, T, B]) => l < R && L < r && t < B && T < b);
   const inside = ([l, r, t]) => l > x + 3 && r < x + width - 3 && t > 0;
-  return candidates.find(({ box }) => inside(box) && !touches(box)) ?? candidates.find(({ box }) => inside(box)) ?? candidates[0];
+  return (
+    candidates.find(({ box }) => inside(box) && !touches(box)) ??
+    candidates.find(({ box }) => inside(box)) ??
+    candidates[0]
+  );
 }
 
 const tidy = (value) => String(Number(value.toPrecision(3)));

@@ -16,7 +16,7 @@ export const RIVER_WIDTH = 120;
 export const CLOUD_CELL = 5200; // m
 export const CLOUD_BASE = 2700; // m
 
-/** Pseudo-random number in 0..1 of two integers; the shader computes the same. After the lowbias32 hash of C. Wellons. */
+/** Pseudo-random number in 0..1 of two integers; the shader computes the same. After lowbias32 of C. Wellons. */
 export function hash(i, j, salt) {
   let h = Math.imul(i, 0x8da6b343) ^ Math.imul(j, 0xd8163841) ^ Math.imul(salt, 0xcb1ab31f);
   h ^= h >>> 16;
@@ -38,7 +38,10 @@ export const crop = (i, j, half, count) => Math.floor(hash(i, j, 2 + half) * cou
 
 /** Land kept clear of woods, lakes and farms: airfield, town, and the river. */
 function isClear(north, east, margin) {
-  const airfield = Math.abs(east) < 900 + margin && north > RUNWAY.south - 1800 - margin && north < RUNWAY.south + RUNWAY.length + 1500 + margin;
+  const airfield =
+    Math.abs(east) < 900 + margin &&
+    north > RUNWAY.south - 1800 - margin &&
+    north < RUNWAY.south + RUNWAY.length + 1500 + margin;
   const town = Math.hypot(north - TOWN.north, east - TOWN.east) < 2300 + margin;
   return !airfield && !town && Math.abs(east - riverEast(north)) > 150 + margin;
 }
@@ -63,7 +66,8 @@ export function lakeIn(i, j) {
 }
 
 /** Distance from the middle of a lake to its shore in the direction `angle` [rad]. */
-export const shore = ({ radius, phase }, angle) => radius * (1 + 0.2 * Math.sin(2 * angle + phase) + 0.12 * Math.sin(3 * angle + 2 * phase));
+export const shore = ({ radius, phase }, angle) =>
+  radius * (1 + 0.2 * Math.sin(2 * angle + phase) + 0.12 * Math.sin(3 * angle + 2 * phase));
 
 /** Trees { north, east, height, shade } and farm buildings (boxes) of country cell (i, j). */
 export function countryside(i, j) {
@@ -81,7 +85,8 @@ const hedge = (cells_) => Math.round((cells_ * COUNTRY) / FIELD) * FIELD; // tre
 
 function growCell(i, j) {
   const trees = [];
-  const plant = (north, east, salt) => trees.push({ north, east, height: 11 + 11 * hash(i, j, salt), shade: hash(i, j, salt + 1) });
+  const plant = (north, east, salt) =>
+    trees.push({ north, east, height: 11 + 11 * hash(i, j, salt), shade: hash(i, j, salt + 1) });
   const wood = woodIn(i, j);
   const count = wood ? Math.min(150, Math.round((wood.radius / 28) ** 2)) : 0;
   for (let n = 0; n < count; n++) {
@@ -114,7 +119,9 @@ export const BUILDINGS = [...airfield(), ...town()];
 
 function airfield() {
   const middle = RUNWAY.south + RUNWAY.length / 2;
-  const hangars = [-3, -2, -1, 1, 2].map((n) => box(middle + n * 150, -420, 90, 70, 20, [0.66, 0.68, 0.71], [0.5, 0.54, 0.58]));
+  const hangars = [-3, -2, -1, 1, 2].map((n) =>
+    box(middle + n * 150, -420, 90, 70, 20, [0.66, 0.68, 0.71], [0.5, 0.54, 0.58]),
+  );
   return [
     ...hangars,
     box(middle + 30, -400, 110, 44, 14, [0.85, 0.84, 0.8], [0.42, 0.43, 0.45]),
@@ -134,7 +141,16 @@ function town() {
       const warm = 0.06 * hash(i, j, 45);
       const wall = [grey + warm, grey, grey - warm / 2];
       const size = [60 + 90 * hash(i, j, 46), 60 + 90 * hash(i, j, 47)];
-      blocks.push(box(TOWN.north + i * 260, TOWN.east + j * 260, ...size, height, wall, far > 0.5 ? [0.5, 0.34, 0.28] : [0.4, 0.41, 0.43]));
+      blocks.push(
+        box(
+          TOWN.north + i * 260,
+          TOWN.east + j * 260,
+          ...size,
+          height,
+          wall,
+          far > 0.5 ? [0.5, 0.34, 0.28] : [0.4, 0.41, 0.43],
+        ),
+      );
     }
   }
   return blocks;
@@ -149,7 +165,10 @@ function paint() {
   const half = width / 2;
   const marks = [-1, 1].map((side) => [south, north, side * (half - 2) - 0.9, side * (half - 2) + 0.9]);
   for (let n = south + 330; n < north - 330; n += 60) marks.push([n, n + 36, -0.7, 0.7]);
-  for (const [end, inward] of [[south, 1], [north, -1]]) {
+  for (const [end, inward] of [
+    [south, 1],
+    [north, -1],
+  ]) {
     const along = (a, b) => [end + inward * a, end + inward * b].sort((p, q) => p - q);
     for (let i = -6; i <= 6; i++) if (i) marks.push([...along(12, 60), i * 4 - 1.1, i * 4 + 1.1]);
     for (const side of [-1, 1]) {
@@ -172,7 +191,12 @@ export const APRONS = [
 /** Elevation [rad] of the skyline at a compass direction [rad]: `layer` 0 is the far range, 1 the near hills. */
 export function skyline(direction, layer) {
   const wave = (frequency, phase) => 0.5 + 0.5 * Math.sin(frequency * direction + phase);
-  if (layer === 0) return 0.004 + 0.026 * (0.5 * wave(3, 1) * wave(7, 2) + 0.32 * wave(11, 0.4) * wave(5, 4) + 0.12 * wave(29, 3) + 0.06 * wave(61, 1));
+  if (layer === 0)
+    return (
+      0.004 +
+      0.026 *
+        (0.5 * wave(3, 1) * wave(7, 2) + 0.32 * wave(11, 0.4) * wave(5, 4) + 0.12 * wave(29, 3) + 0.06 * wave(61, 1))
+    );
   return 0.002 + 0.011 * (0.55 * wave(5, 2.6) * wave(8, 0.2) + 0.3 * wave(17, 5) + 0.15 * wave(43, 2));
 }
 
@@ -188,22 +212,64 @@ export function cloudIn(i, j) {
   };
 }
 
-const CROPS = [[0.36, 0.45, 0.22], [0.45, 0.5, 0.25], [0.61, 0.57, 0.33], [0.3, 0.41, 0.2], [0.52, 0.5, 0.29], [0.4, 0.5, 0.26], [0.5, 0.42, 0.3]];
+const CROPS = [
+  [0.36, 0.45, 0.22],
+  [0.45, 0.5, 0.25],
+  [0.61, 0.57, 0.33],
+  [0.3, 0.41, 0.2],
+  [0.52, 0.5, 0.29],
+  [0.4, 0.5, 0.26],
+  [0.5, 0.42, 0.3],
+];
 
 /** Light and colors, red-green-blue in 0..1. `light` multiplies everything on the ground. `sun`: north, east, down. */
 export const LOOKS = {
   day: {
-    sun: [0.52, 0.5, -0.69], sunColor: [1, 0.95, 0.82], light: [1, 1, 1], lamps: 0,
-    zenith: [0.13, 0.33, 0.66], sky: [0.4, 0.62, 0.86], horizon: [0.79, 0.87, 0.93], haze: [0.73, 0.81, 0.87],
-    cloud: [1, 1, 1], cloudShade: [0.72, 0.77, 0.84], ranges: [[0.53, 0.63, 0.73], [0.42, 0.53, 0.56]],
-    crops: CROPS, wood: [0.17, 0.28, 0.15], water: [0.28, 0.45, 0.6], road: [0.6, 0.59, 0.56],
-    apron: [0.5, 0.51, 0.52], runway: [0.27, 0.28, 0.3], paint: [0.93, 0.93, 0.92], grass: [0.38, 0.47, 0.25],
+    sun: [0.52, 0.5, -0.69],
+    sunColor: [1, 0.95, 0.82],
+    light: [1, 1, 1],
+    lamps: 0,
+    zenith: [0.13, 0.33, 0.66],
+    sky: [0.4, 0.62, 0.86],
+    horizon: [0.79, 0.87, 0.93],
+    haze: [0.73, 0.81, 0.87],
+    cloud: [1, 1, 1],
+    cloudShade: [0.72, 0.77, 0.84],
+    ranges: [
+      [0.53, 0.63, 0.73],
+      [0.42, 0.53, 0.56],
+    ],
+    crops: CROPS,
+    wood: [0.17, 0.28, 0.15],
+    water: [0.28, 0.45, 0.6],
+    road: [0.6, 0.59, 0.56],
+    apron: [0.5, 0.51, 0.52],
+    runway: [0.27, 0.28, 0.3],
+    paint: [0.93, 0.93, 0.92],
+    grass: [0.38, 0.47, 0.25],
   },
   dusk: {
-    sun: [0.955, -0.26, -0.14], sunColor: [1, 0.72, 0.42], light: [0.36, 0.32, 0.36], lamps: 1,
-    zenith: [0.06, 0.1, 0.25], sky: [0.35, 0.29, 0.42], horizon: [0.95, 0.58, 0.34], haze: [0.56, 0.38, 0.34],
-    cloud: [0.93, 0.62, 0.5], cloudShade: [0.34, 0.27, 0.36], ranges: [[0.36, 0.26, 0.33], [0.2, 0.16, 0.2]],
-    crops: CROPS, wood: [0.17, 0.26, 0.17], water: [0.95, 0.72, 0.6], road: [0.55, 0.52, 0.52],
-    apron: [0.48, 0.47, 0.5], runway: [0.27, 0.27, 0.31], paint: [0.95, 0.93, 0.9], grass: [0.34, 0.4, 0.25],
+    sun: [0.955, -0.26, -0.14],
+    sunColor: [1, 0.72, 0.42],
+    light: [0.36, 0.32, 0.36],
+    lamps: 1,
+    zenith: [0.06, 0.1, 0.25],
+    sky: [0.35, 0.29, 0.42],
+    horizon: [0.95, 0.58, 0.34],
+    haze: [0.56, 0.38, 0.34],
+    cloud: [0.93, 0.62, 0.5],
+    cloudShade: [0.34, 0.27, 0.36],
+    ranges: [
+      [0.36, 0.26, 0.33],
+      [0.2, 0.16, 0.2],
+    ],
+    crops: CROPS,
+    wood: [0.17, 0.26, 0.17],
+    water: [0.95, 0.72, 0.6],
+    road: [0.55, 0.52, 0.52],
+    apron: [0.48, 0.47, 0.5],
+    runway: [0.27, 0.27, 0.31],
+    paint: [0.95, 0.93, 0.9],
+    grass: [0.34, 0.4, 0.25],
   },
 };

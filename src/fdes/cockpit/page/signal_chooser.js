@@ -21,23 +21,42 @@ export class SignalChooser {
   }
 
   draw() {
-    const lanes = this.chart.lanes.map((names, lane) => html("fieldset", { class: "lane" }, html("legend", {}, `Chart ${lane + 1}`),
-      Array.from({ length: PER_LANE }, (_, place) => this.select(lane, place, names[place] ?? ""))));
+    const lanes = this.chart.lanes.map((names, lane) =>
+      html(
+        "fieldset",
+        { class: "lane" },
+        html("legend", {}, `Chart ${lane + 1}`),
+        Array.from({ length: PER_LANE }, (_, place) => this.select(lane, place, names[place] ?? "")),
+      ),
+    );
     const standard = html("button", { onclick: () => this.apply(DEFAULT_LANES) }, "As at first");
     this.body.replaceChildren(...lanes, html("p", {}, standard));
   }
 
   select(lane, place, chosen) {
     const options = this.chart.channels.map(({ name, long_name, unit }) =>
-      html("option", { value: name, selected: name === chosen }, `${symbol(name)} · ${long_name}, ${shown(unit, name).label}`));
+      html(
+        "option",
+        { value: name, selected: name === chosen },
+        `${symbol(name)} · ${long_name}, ${shown(unit, name).label}`,
+      ),
+    );
     const label = `Chart ${lane + 1}, signal ${place + 1}`;
-    return html("select", { "aria-label": label, onchange: ({ target }) => this.change(lane, place, target.value) }, html("option", { value: "" }, "none"), ...options);
+    return html(
+      "select",
+      { "aria-label": label, onchange: ({ target }) => this.change(lane, place, target.value) },
+      html("option", { value: "" }, "none"),
+      ...options,
+    );
   }
 
   change(lane, place, name) {
     const lanes = this.chart.lanes.map((names) => Array.from({ length: PER_LANE }, (_, i) => names[i] ?? ""));
     lanes[lane][place] = name;
-    this.apply(lanes.map((names) => names.filter((one, i) => one && names.indexOf(one) === i)), { redraw: false });
+    this.apply(
+      lanes.map((names) => names.filter((one, i) => one && names.indexOf(one) === i)),
+      { redraw: false },
+    );
   }
 
   apply(lanes, { redraw = true } = {}) {

@@ -29,10 +29,11 @@ const GENTLE = 1 / 3;
 const LONGEST_STEP = 0.1; // s: a stalled page must not make the stick jump
 const DEAD_ZONE = 0.06;
 const PAD_CURVE = 1.4; // exponent: finer near the center
-const PAD = { pitch: 1, roll: 0, yaw: 2, lever: 3, throttleUp: 7, throttleDown: 6 }; // standard mapping of the Gamepad API
+// Axes and buttons in the standard mapping of the Gamepad API; the lever is that of a joystick.
+const PAD = { pitch: 1, roll: 0, yaw: 2, lever: 3, throttleUp: 7, throttleDown: 6 };
 
-/** Elements that use letters, arrows or page keys themselves. */
-const TYPING = "input, select, textarea, [role=tab], [role=slider], [contenteditable], dialog";
+const TYPING = "input, select, textarea, [contenteditable], dialog";
+const USES_ARROWS = "[role=tab]";
 
 /** Whether a key event belongs to the element that has the focus, or to the browser, rather than to the cockpit. */
 export function isTaken(event) {
@@ -60,6 +61,7 @@ export class StickInput {
   press(event) {
     this.gentle = event.shiftKey;
     if (!KEYS[event.code] || isTaken(event)) return;
+    if (event.code.startsWith("Arrow") && event.target.closest?.(USES_ARROWS)) return;
     event.preventDefault();
     this.held.add(event.code);
     this.notice();

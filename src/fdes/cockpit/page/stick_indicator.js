@@ -13,13 +13,20 @@ export class StickIndicator {
     this.trim = svg("path", { class: "stick-trim" });
     picture.setAttribute("viewBox", "0 0 76 72");
     picture.append(
-      svg("g", { class: "stick-frame" },
+      svg(
+        "g",
+        { class: "stick-frame" },
         svg("rect", { x: 4, y: 4, width: SIZE, height: SIZE, rx: 5 }),
         svg("path", { d: `M${4 + HALF} 4v${SIZE}M4 ${4 + HALF}h${SIZE}` }),
         svg("rect", { x: 4, y: 61, width: SIZE, height: 8, rx: 3 }),
         svg("path", { d: `M${4 + HALF} 61v8` }),
-        svg("rect", { x: 62, y: 4, width: 10, height: SIZE, rx: 3 })),
-      this.trim, this.dot, this.pedal, this.lever);
+        svg("rect", { x: 62, y: 4, width: 10, height: SIZE, rx: 3 }),
+      ),
+      this.trim,
+      this.dot,
+      this.pedal,
+      this.lever,
+    );
     this.seen = "";
   }
 

@@ -14,11 +14,34 @@ const FOOT = 20; // px below all lanes for the time axis
 const ROW = 20; // px between the lines of an axis, at least
 const LATE_START = 12; // s of flight before the chart stops explaining its empty part
 
-export const DEFAULT_LANES = [["theta", "alpha"], ["p", "q", "r"], ["phi", "beta"], ["elevator", "aileron", "rudder"]];
+export const DEFAULT_LANES = [
+  ["theta", "alpha"],
+  ["p", "q", "r"],
+  ["phi", "beta"],
+  ["elevator", "aileron", "rudder"],
+];
 
 const SYMBOLS = {
-  theta: "θ", alpha: "α", phi: "φ", beta: "β", psi: "ψ", gamma: "γ", chi: "χ", elevator: "δe", aileron: "δa", rudder: "δr",
-  throttle: "δT", psi_dot: "ψ̇", p_dot: "ṗ", q_dot: "q̇", r_dot: "ṙ", h_dot: "ḣ", mach: "M", n_x: "nx", n_y: "ny", n_z: "nz",
+  theta: "θ",
+  alpha: "α",
+  phi: "φ",
+  beta: "β",
+  psi: "ψ",
+  gamma: "γ",
+  chi: "χ",
+  elevator: "δe",
+  aileron: "δa",
+  rudder: "δr",
+  throttle: "δT",
+  psi_dot: "ψ̇",
+  p_dot: "ṗ",
+  q_dot: "q̇",
+  r_dot: "ṙ",
+  h_dot: "ḣ",
+  mach: "M",
+  n_x: "nx",
+  n_y: "ny",
+  n_z: "nz",
 };
 
 export const symbol = (name) => SYMBOLS[name] ?? name.replaceAll("_", " ");
@@ -84,7 +107,9 @@ export class StripChart {
     frame.perSecond = (frame.right - frame.left) / SECONDS;
     frame.reading = this.pointed(frame);
     const laneHeight = (height - FOOT) / this.lanes.length;
-    this.lanes.forEach((names, i) => this.drawLane(i, names, { ...frame, top: i * laneHeight + TITLE, bottom: (i + 1) * laneHeight - 5 }));
+    this.lanes.forEach((names, i) =>
+      this.drawLane(i, names, { ...frame, top: i * laneHeight + TITLE, bottom: (i + 1) * laneHeight - 5 }),
+    );
     this.drawTimes(frame, height);
   }
 
@@ -100,13 +125,20 @@ export class StripChart {
   drawLane(i, names, frame) {
     const { context } = this;
     const { colors, left, right, top, bottom } = frame;
-    const series = names.filter((name) => name in this.index).map((name) => {
-      const column = this.index[name];
-      return { name, column, ...shown(this.channels[column].unit, name) };
-    });
+    const series = names
+      .filter((name) => name in this.index)
+      .map((name) => {
+        const column = this.index[name];
+        return { name, column, ...shown(this.channels[column].unit, name) };
+      });
     context.fillStyle = colors.plot;
     context.fillRect(left, top, right - left, bottom - top);
-    const axis = (this.limits[i] = limits(this.extremes(series, frame.from), series[0]?.span ?? 1, this.limits[i], (bottom - top) / ROW));
+    const axis = (this.limits[i] = limits(
+      this.extremes(series, frame.from),
+      series[0]?.span ?? 1,
+      this.limits[i],
+      (bottom - top) / ROW,
+    ));
     const y = (value) => bottom - ((value - axis.low) / (axis.high - axis.low)) * (bottom - top);
     this.drawGrid(axis, y, frame);
     this.drawLegend(series, frame);
@@ -167,7 +199,11 @@ export class StripChart {
       const digits = Math.abs(value) >= 100 ? 0 : label === "–" || Math.abs(value) < 10 ? 2 : 1;
       context.textAlign = "left";
       context.fillStyle = colors.ink;
-      context.fillText(`${symbol(name)} ${Number.isFinite(value) ? value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1") : "–"}`, x + 14, top - 8);
+      context.fillText(
+        `${symbol(name)} ${Number.isFinite(value) ? value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1") : "–"}`,
+        x + 14,
+        top - 8,
+      );
       x += 14 + Math.max(62, context.measureText(symbol(name)).width + 50);
     });
     context.textAlign = "right";
@@ -251,7 +287,13 @@ export class StripChart {
  * they still fit well, so that the axis does not twitch.
  */
 function limits([low, high], span, old, lines) {
-  if (old?.lines === lines && low >= old.low && high <= old.high && Math.max(high - low, span) > 0.4 * (old.high - old.low)) return old;
+  if (
+    old?.lines === lines &&
+    low >= old.low &&
+    high <= old.high &&
+    Math.max(high - low, span) > 0.4 * (old.high - old.low)
+  )
+    return old;
   const spare = Math.max(0, span - (high - low)) / 2;
   const step = roundStep((high - low + 2 * spare) / clamp(lines, 2, 5));
   return { step, lines, low: Math.floor((low - spare) / step) * step, high: Math.ceil((high + spare) / step) * step };

@@ -32,7 +32,9 @@ export class Tabs {
   move(event, tab) {
     const at = this.tabs.indexOf(tab);
     const count = this.tabs.length;
-    const to = { ArrowRight: (at + 1) % count, ArrowLeft: (at + count - 1) % count, Home: 0, End: count - 1 }[event.key];
+    const to = { ArrowRight: (at + 1) % count, ArrowLeft: (at + count - 1) % count, Home: 0, End: count - 1 }[
+      event.key
+    ];
     if (to === undefined) return;
     event.preventDefault();
     this.show(this.tabs[to]);

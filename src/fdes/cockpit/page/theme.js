@@ -7,7 +7,10 @@ export class Theme {
   constructor(asked) {
     const remembered = read();
     const preferred = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
-    this.set([asked, remembered, preferred].find((name) => THEMES.includes(name)), { remember: false });
+    this.set(
+      [asked, remembered, preferred].find((name) => THEMES.includes(name)),
+      { remember: false },
+    );
   }
 
   set(name, { remember = true } = {}) {
@@ -27,7 +30,10 @@ export class Theme {
     const style = getComputedStyle(document.documentElement);
     const value = (name) => style.getPropertyValue(name).trim();
     this.palette ??= {
-      plot: value("--plot"), grid: value("--grid"), ink: value("--ink"), quiet: value("--quiet"),
+      plot: value("--plot"),
+      grid: value("--grid"),
+      ink: value("--ink"),
+      quiet: value("--quiet"),
       series: [1, 2, 3, 4].map((i) => value(`--series-${i}`)),
     };
     return this.palette;

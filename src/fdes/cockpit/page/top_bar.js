@@ -14,7 +14,16 @@ function write(element, text) {
 
 export class TopBar {
   constructor(link, cockpit, stick) {
-    Object.assign(this, { link, cockpit, stick, flags: null, status: null, notice: null, framesBefore: 0, timer: null });
+    Object.assign(this, {
+      link,
+      cockpit,
+      stick,
+      flags: null,
+      status: null,
+      notice: null,
+      framesBefore: 0,
+      timer: null,
+    });
   }
 
   showHello(hello) {
@@ -35,6 +44,8 @@ export class TopBar {
     const slow = status.real_time_factor < SLOW_CLOCK && !status.frozen && !this.link.has(FLAG.ended);
     write(byId("pace"), `${status.real_time_factor.toFixed(2)}×${this.link.has(FLAG.late) ? " late" : ""}`);
     byId("pace").classList.toggle("warn", slow);
+    const lateness = `99 % of the steps less than ${status.lateness_p99_ms.toFixed(1)} ms late; ${status.slips} slips`;
+    byId("pace").title = `Real-time factor: simulated seconds in a second. ${lateness}.`;
     write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
     this.announce(status.notice);
     this.flags = null;
@@ -42,7 +53,8 @@ export class TopBar {
 
   /** Says a new notice, unless it is why the flight ended: that stands in the middle of the picture. */
   announce(notice) {
-    if (notice && notice !== this.notice) setTimeout(() => !this.link.has(FLAG.ended) && this.notice === notice && this.say(notice), 300);
+    if (notice && notice !== this.notice)
+      setTimeout(() => !this.link.has(FLAG.ended) && this.notice === notice && this.say(notice), 300);
     this.notice = notice;
   }
 

@@ -7,8 +7,25 @@ import { toBody, worldHorizon } from "./camera.js";
 import { Projector } from "./projector.js";
 import { drawClouds, drawSky, drawSkyline } from "./canvas_sky.js";
 import {
-  APRONS, BUILDINGS, COUNTRY, FIELD, LAKELAND, LOOKS, RIVER_WIDTH, ROAD_SPACING, ROAD_WIDTH, RUNWAY, RUNWAY_PAINT,
-  countryside, crop, fieldSplit, hash, lakeIn, riverEast, shore, woodIn,
+  APRONS,
+  BUILDINGS,
+  COUNTRY,
+  FIELD,
+  LAKELAND,
+  LOOKS,
+  RIVER_WIDTH,
+  ROAD_SPACING,
+  ROAD_WIDTH,
+  RUNWAY,
+  RUNWAY_PAINT,
+  countryside,
+  crop,
+  fieldSplit,
+  hash,
+  lakeIn,
+  riverEast,
+  shore,
+  woodIn,
 } from "./scenery.js";
 import { css, mix, onHorizon } from "./paint.js";
 import { clamp } from "./units.js";
@@ -67,7 +84,13 @@ function drawHaze({ context, cam, look }) {
   onHorizon(context, cam, (reach) => {
     const deep = cam.height * 0.16;
     const haze = context.createLinearGradient(0, 0, 0, deep);
-    for (const [at, alpha] of [[0, 0.8], [0.1, 0.5], [0.35, 0.18], [1, 0]]) haze.addColorStop(at, css(look.haze, undefined, alpha));
+    for (const [at, alpha] of [
+      [0, 0.8],
+      [0.1, 0.5],
+      [0.35, 0.18],
+      [1, 0],
+    ])
+      haze.addColorStop(at, css(look.haze, undefined, alpha));
     context.fillStyle = haze;
     context.fillRect(-reach, 0, 2 * reach, deep);
   });
@@ -114,7 +137,11 @@ function drawWater({ cam, look, lens }) {
   for (let i = li - 3; i <= li + 3; i++) {
     for (let j = lj - 3; j <= lj + 3; j++) {
       const lake = lakeIn(i, j);
-      if (lake) lens.polygon(ring(lake.north, lake.east, 26, (angle) => shore(lake, angle)), water);
+      if (lake)
+        lens.polygon(
+          ring(lake.north, lake.east, 26, (angle) => shore(lake, angle)),
+          water,
+        );
     }
   }
   const bends = Array.from({ length: 41 }, (_, k) => (Math.floor(cam.north / 800) + k - 14) * 800);
@@ -127,7 +154,11 @@ function drawWater({ cam, look, lens }) {
   for (let i = wi - reach; i <= wi + reach; i++) {
     for (let j = wj - reach; j <= wj + reach; j++) {
       const wood = woodIn(i, j);
-      if (wood && !lens.outside(wood.north, wood.east, wood.radius)) lens.polygon(ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))), dark);
+      if (wood && !lens.outside(wood.north, wood.east, wood.radius))
+        lens.polygon(
+          ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))),
+          dark,
+        );
     }
   }
 }
@@ -162,7 +193,8 @@ function drawAirfield({ cam, look, lens, context }) {
   const white = css(look.paint, look.light);
   for (const mark of RUNWAY_PAINT) lens.rectangle(...mark, white);
   if (look.lamps) {
-    for (let n = 0; n <= length; n += 60) for (const side of [-1, 1]) lens.lamp(south + n, side * (width / 2 + 2), "#ffe9a8");
+    for (let n = 0; n <= length; n += 60)
+      for (const side of [-1, 1]) lens.lamp(south + n, side * (width / 2 + 2), "#ffe9a8");
     for (let n = 30; n <= 600; n += 30) for (let e = -9; e <= 9; e += 4.5) lens.lamp(south - n, e, "#fff4dd");
     for (let e = -28; e <= 28; e += 4) lens.lamp(south - 3, e, "#7dff9c");
   }
@@ -193,7 +225,10 @@ function drawStanding({ cam, look, lens }) {
   });
   const distance = (b) => (b.north - cam.north) ** 2 + (b.east - cam.east) ** 2;
   boxes.push(...BUILDINGS);
-  boxes.map((b) => [distance(b), b]).sort((a, b) => b[0] - a[0]).forEach(([square, b]) => drawBox(b, Math.sqrt(square), look, cam, lens));
+  boxes
+    .map((b) => [distance(b), b])
+    .sort((a, b) => b[0] - a[0])
+    .forEach(([square, b]) => drawBox(b, Math.sqrt(square), look, cam, lens));
 }
 
 /** A round crown on the ground's vertical, into the path of its shade; the three last paths are for far trees. */
@@ -208,18 +243,48 @@ function addTree(shades, { north, east, height, shade }, cam, lens) {
   const path = shades[Math.floor(shade * 2.99) + (foot[0] > 4000 ? 3 : 0)];
   const half = tall * (0.3 + 0.16 * shade);
   path.moveTo(x - uy * half, y + ux * half);
-  path.quadraticCurveTo(x + ux * tall * 1.6 - uy * half * 0.6, y + uy * tall * 1.6 + ux * half * 0.6, x + uy * half, y - ux * half);
+  path.quadraticCurveTo(
+    x + ux * tall * 1.6 - uy * half * 0.6,
+    y + uy * tall * 1.6 + ux * half * 0.6,
+    x + uy * half,
+    y - ux * half,
+  );
 }
 
 function drawBox({ north, east, deep, wide, height, wall, roof }, distance, look, cam, lens) {
   if (distance > 30000 || (height * cam.f) / Math.max(distance, 1) < SMALLEST) return;
   const [n0, n1, e0, e1] = [north - deep / 2, north + deep / 2, east - wide / 2, east + wide / 2];
   const hazy = clamp(distance / 26000, 0, 0.7);
-  const color = (base, face) => css(mix(base.map((c, i) => c * FACE_LIGHT[face] * look.light[i]), look.haze, hazy));
-  const upright = (a, b, face) => lens.solid([[...a, 0], [...b, 0], [...b, height], [...a, height]], color(wall, face));
+  const color = (base, face) =>
+    css(
+      mix(
+        base.map((c, i) => c * FACE_LIGHT[face] * look.light[i]),
+        look.haze,
+        hazy,
+      ),
+    );
+  const upright = (a, b, face) =>
+    lens.solid(
+      [
+        [...a, 0],
+        [...b, 0],
+        [...b, height],
+        [...a, height],
+      ],
+      color(wall, face),
+    );
   if (cam.north < n0) upright([n0, e0], [n0, e1], "south");
   else if (cam.north > n1) upright([n1, e0], [n1, e1], "north");
   if (cam.east < e0) upright([n0, e0], [n1, e0], "west");
   else if (cam.east > e1) upright([n0, e1], [n1, e1], "east");
-  if (cam.eye > height) lens.solid([[n0, e0, height], [n1, e0, height], [n1, e1, height], [n0, e1, height]], color(roof, "roof"));
+  if (cam.eye > height)
+    lens.solid(
+      [
+        [n0, e0, height],
+        [n1, e0, height],
+        [n1, e1, height],
+        [n0, e1, height],
+      ],
+      color(roof, "roof"),
+    );
 }

@@ -27,7 +27,7 @@ export class WebglWorld {
 
   /** Throws where there is no WebGL 2. */
   constructor(canvas) {
-    const frugal = isSoftwareRendered(); // somebody insists on WebGL: without smooth edges and with a few trees it moves
+    const frugal = isSoftwareRendered(); // WebGL was insisted on: with rough edges and few trees it moves
     const gl = canvas.getContext("webgl2", { antialias: !frugal, alpha: false, powerPreference: "high-performance" });
     if (!gl) throw new Error("This browser has no WebGL 2.");
     Object.assign(this, { canvas, gl, frugal, look: "day", horizon: { y: NaN, tilt: NaN }, cell: null });
@@ -65,7 +65,10 @@ export class WebglWorld {
 
     gl.useProgram(this.solid.program);
     this.setEye(this.solid.at, cam);
-    for (const [solids, round] of [[this.boxes, 0], [this.trees, 1]]) {
+    for (const [solids, round] of [
+      [this.boxes, 0],
+      [this.trees, 1],
+    ]) {
       gl.uniform1f(this.solid.at.uRound, round);
       solids.draw();
     }
@@ -83,13 +86,33 @@ export class WebglWorld {
     gl.uniform1f(at.uEye, cam.eye);
     gl.uniform3fv(at.uHaze, look.haze);
     gl.uniform3fv(at.uLight, look.light);
-    gl.uniform3fv(at.uSun, look.sun.map((value) => value / sun));
+    gl.uniform3fv(
+      at.uSun,
+      look.sun.map((value) => value / sun),
+    );
     if (!at.uZenith) return;
     gl.uniform2f(at.uPixel, cam.width / canvas.width, cam.height / canvas.height);
     gl.uniform1f(at.uLamps, look.lamps);
     gl.uniform3fv(at["uCrops[0]"], look.crops.flat());
-    const named = { uSunColor: look.sunColor, uZenith: look.zenith, uSky: look.sky, uHorizon: look.horizon, uCloud: look.cloud, uCloudShade: look.cloudShade };
-    const ground = { uRange0: look.ranges[0], uRange1: look.ranges[1], uWood: look.wood, uWater: look.water, uRoad: look.road, uApron: look.apron, uRunway: look.runway, uPaint: look.paint, uGrass: look.grass };
+    const named = {
+      uSunColor: look.sunColor,
+      uZenith: look.zenith,
+      uSky: look.sky,
+      uHorizon: look.horizon,
+      uCloud: look.cloud,
+      uCloudShade: look.cloudShade,
+    };
+    const ground = {
+      uRange0: look.ranges[0],
+      uRange1: look.ranges[1],
+      uWood: look.wood,
+      uWater: look.water,
+      uRoad: look.road,
+      uApron: look.apron,
+      uRunway: look.runway,
+      uPaint: look.paint,
+      uGrass: look.grass,
+    };
     for (const [name, color] of Object.entries({ ...named, ...ground })) gl.uniform3fv(at[name] ?? null, color);
   }
 
@@ -110,11 +133,13 @@ export class WebglWorld {
       }
     }
     this.boxes.fill(boxes.map((b) => [b.north, b.east, b.deep, b.wide, b.height, 0, ...b.wall, ...b.roof]));
-    this.trees.fill(trees.map((tree) => {
-      const wide = tree.height * (0.6 + 0.32 * tree.shade);
-      const leaf = [0.15 + 0.12 * tree.shade, 0.27 + 0.1 * tree.shade, 0.13 + 0.04 * tree.shade];
-      return [tree.north, tree.east, wide, wide, tree.height, 1, ...leaf, ...leaf];
-    }));
+    this.trees.fill(
+      trees.map((tree) => {
+        const wide = tree.height * (0.6 + 0.32 * tree.shade);
+        const leaf = [0.15 + 0.12 * tree.shade, 0.27 + 0.1 * tree.shade, 0.13 + 0.04 * tree.shade];
+        return [tree.north, tree.east, wide, wide, tree.height, 1, ...leaf, ...leaf];
+      }),
+    );
   }
 }
 
@@ -123,16 +148,30 @@ const FLOATS = 12; // of one instance: footing 4, shape 2, wall 3, roof 3
 /** Many copies of one shape. */
 class Solids {
   constructor(gl, corners) {
-    Object.assign(this, { gl, corners: corners.length / 6, count: 0, array: gl.createVertexArray(), instances: gl.createBuffer() });
+    Object.assign(this, {
+      gl,
+      corners: corners.length / 6,
+      count: 0,
+      array: gl.createVertexArray(),
+      instances: gl.createBuffer(),
+    });
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STATIC_DRAW);
-    for (const [location, offset] of [[0, 0], [1, 3]]) {
+    for (const [location, offset] of [
+      [0, 0],
+      [1, 3],
+    ]) {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 24, offset * 4);
     }
     gl.bindBuffer(gl.ARRAY_BUFFER, this.instances);
-    for (const [location, size, offset] of [[2, 4, 0], [3, 2, 4], [4, 3, 6], [5, 3, 9]]) {
+    for (const [location, size, offset] of [
+      [2, 4, 0],
+      [3, 2, 4],
+      [4, 3, 6],
+      [5, 3, 9],
+    ]) {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, FLOATS * 4, offset * 4);
       gl.vertexAttribDivisor(location, 1);
@@ -173,7 +212,9 @@ function treeCorners() {
   const corners = [];
   for (let k = 0; k < 5; k++) {
     const normal = [Math.cos((k + 0.5) * side), Math.sin((k + 0.5) * side), 0];
-    corners.push(...face(around(k, 0.26, 0), around(k + 1, 0.26, 0), around(k + 1, 0.5, 0.38), around(k, 0.5, 0.38), normal));
+    corners.push(
+      ...face(around(k, 0.26, 0), around(k + 1, 0.26, 0), around(k + 1, 0.5, 0.38), around(k, 0.5, 0.38), normal),
+    );
     corners.push(...triangle(around(k, 0.5, 0.38), around(k + 1, 0.5, 0.38), [0.5, 0.5, 1], normal));
   }
   return corners;
@@ -204,11 +245,20 @@ function noiseTexture(gl) {
     const row = (jj) => random(i, jj, salt, period) * (1 - u) + random(i + 1, jj, salt, period) * u;
     return row(j) * (1 - v) + row(j + 1) * v;
   };
-  const octaves = [[1, 0.5], [2, 0.27], [4, 0.15], [8, 0.08]];
+  const octaves = [
+    [1, 0.5],
+    [2, 0.27],
+    [4, 0.15],
+    [8, 0.08],
+  ];
   const pixels = new Uint8Array(NOISE * NOISE * 4);
   for (let y = 0; y < NOISE; y++) {
     for (let x = 0; x < NOISE; x++) {
-      const heaped = octaves.reduce((sum, [times, weight]) => sum + weight * smooth((x * times) / 16, (y * times) / 16, 90 + times, (NOISE / 16) * times), 0);
+      const heaped = octaves.reduce(
+        (sum, [times, weight]) =>
+          sum + weight * smooth((x * times) / 16, (y * times) / 16, 90 + times, (NOISE / 16) * times),
+        0,
+      );
       pixels.set([255 * hash(x, y, 90), 255 * heaped], 4 * (y * NOISE + x));
     }
   }
@@ -222,15 +272,20 @@ function noiseTexture(gl) {
 
 function program(gl, vertex, fragment) {
   const program = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+  for (const [type, source] of [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ]) {
     const shader = gl.createShader(type);
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
-    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(`A shader did not compile: ${gl.getShaderInfoLog(shader)}`);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+      throw new Error(`A shader did not compile: ${gl.getShaderInfoLog(shader)}`);
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`Shaders did not link: ${gl.getProgramInfoLog(program)}`);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+    throw new Error(`Shaders did not link: ${gl.getProgramInfoLog(program)}`);
   const at = {};
   for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i++) {
     const { name } = gl.getActiveUniform(program, i);
