@@ -53,7 +53,7 @@ def test_a_reversed_sign(expected: Sign) -> None:
 
 def test_a_reversed_aileron_is_refused_by_the_file_and_found_in_a_condition() -> None:
     ready = parse(MINE, "mine").at()
-    (finding,) = findings(replace(ready, coefficients=ready.coefficients._replace(Cl_da=-0.13)))
+    (finding,) = findings(replace(ready, aerodynamics=ready.coefficients._replace(Cl_da=-0.13)))
     assert (finding.rule, finding.meaning) == ("sign_Cl_da", "Right stick rolls left.")
 
 
@@ -65,7 +65,7 @@ def test_an_implausible_size(expected: Range) -> None:
     just_above = expected.high + min(margin, 0.1 * abs(expected.high) or margin)
     for value, meaning in ((just_below, expected.below), (just_above, expected.above)):
         coefficients = ready.coefficients._replace(**{expected.derivative: value})
-        rules = {f.rule: f for f in findings(replace(ready, coefficients=coefficients))}
+        rules = {f.rule: f for f in findings(replace(ready, aerodynamics=coefficients))}
         if f"sign_{expected.derivative}" in rules:
             assert f"range_{expected.derivative}" not in rules  # one mistake, one finding
         else:
@@ -87,7 +87,7 @@ def test_every_coefficient_has_a_plausible_range_that_its_sign_fits() -> None:
 def test_per_degree_taken_for_per_radian(derivative: str, aircraft: str) -> None:
     ready = load(aircraft).at()
     value = getattr(ready.coefficients, derivative)
-    wrong = replace(ready, coefficients=ready.coefficients._replace(**{derivative: value * DEG}))
+    wrong = replace(ready, aerodynamics=ready.coefficients._replace(**{derivative: value * DEG}))
     (finding,) = (f for f in findings(wrong) if f.severity == "error")
     assert finding.rule == "per_degree"
     assert finding.what == f"Out by 57: {derivative} {value * DEG:.3g} 1/rad, as if per degree."

@@ -16,7 +16,7 @@ def navion() -> FlightCondition:
 
 
 def edited(condition: FlightCondition, **coefficients: float) -> FlightCondition:
-    return replace(condition, coefficients=condition.coefficients._replace(**coefficients))
+    return replace(condition, aerodynamics=condition.coefficients._replace(**coefficients))
 
 
 def names(condition: FlightCondition, axis: str) -> list[str]:

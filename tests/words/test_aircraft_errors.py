@@ -107,7 +107,7 @@ MISTAKES = [
         'value = 2, unit = "kN"',
         'value = 2, unit = "N"',
         "condition 'slow', corrected values: level flight needs 770 N of thrust, but max_thrust is 2 N. "
-        "Check CD, the altitude and the units, or assume more thrust.",
+        "Check the drag, the altitude and the units, or assume more thrust.",
         id="too little thrust",
     ),
     pytest.param(
@@ -206,7 +206,7 @@ def ask(aircraft: str, condition: str | None = None, variant: str = "corrected")
 
 
 def test_unknown_names() -> None:
-    known = "Known: A-4D, B747, Convair880, F-104A, JetStar, NAVION."
+    known = "Known: A-4D, A-7A, B747, B747_CR2144, B747_Etkin, Convair880, F-104A, JetStar, NAVION, NT-33A."
     assert ask("skyhwak") == f"There is no aircraft named 'skyhwak'. Did you mean 'A-4D'? {known}"
     assert ask("Nawion") == f"There is no aircraft named 'Nawion'. Did you mean 'NAVION'? {known}"
     assert ask("xyz") == f"There is no aircraft named 'xyz'. {known}"

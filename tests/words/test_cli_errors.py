@@ -16,7 +16,7 @@ FLY = ["fly", "--no-browser", "--port", "0"]
 A4D = ["simulate", "A-4D"]
 
 MISTAKES = [
-    (["modes", "NAVIN"], "There is no aircraft named 'NAVIN'. Did you mean 'NAVION'? Known: A-4D, B747"),
+    (["modes", "NAVIN"], "There is no aircraft named 'NAVIN'. Did you mean 'NAVION'? Known: A-4D, A-7A, B747"),
     (["modes", "boing747"], "There is no aircraft named 'boing747'. Did you mean 'B747'?"),
     (["aircraft", "a5d"], "There is no aircraft named 'a5d'. Did you mean 'A-4D'?"),
     ([*FLY, "navin"], "There is no aircraft named 'navin'. Did you mean 'NAVION'?"),

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from fdes.aircraft.expectations import GOVERNING, RANGES, RATIOS, SIGNS, Range, Ratio, Sign
+from fdes.aircraft.expectations import DIMENSIONAL, GOVERNING, RANGES, RATIOS, SIGNS, Range, Ratio, Sign
 from fdes.units import DEG
 
 if TYPE_CHECKING:
@@ -73,6 +73,8 @@ def findings(ready: "FlightCondition") -> list[Finding]:
     """What the rules find in one flight condition, waived or not."""
     found = []
     for rule, look in RULES.items():
+        if rule in OF_COEFFICIENTS and not ready.nondimensional:
+            continue
         if said := look(ready):
             bare = Finding(rule, ready.condition, ready.variant, *said, waived=None)
             reasons = [w["reason"] for w in ready.document.get("waivers", ()) if _covers(w, bare)]
@@ -111,12 +113,19 @@ def _sentence(text: str | None) -> str:
 
 def sign(expected: Sign, ready: "FlightCondition") -> Found | None:
     """A derivative has the sign of docs/symbols.md. Sources: at each line of SIGNS."""
-    value = getattr(ready.coefficients, expected.derivative)
-    if value > 0.0 if expected.positive else value < 0.0:
+    if ready.nondimensional:
+        name, unit, positive = expected.derivative, "1/rad", expected.positive
+        value = getattr(ready.coefficients, name)
+    else:
+        names, opposite = DIMENSIONAL[expected.derivative]
+        name = next(n for n in names if n in ready.provenance)
+        value, unit = ready.provenance[name].value, ready.provenance[name].si_unit
+        positive = expected.positive != opposite
+    if value > 0.0 if positive else value < 0.0:
         return None
     return Found(
         "error",
-        f"{expected.derivative} is {value:.4g} 1/rad; it must be {'greater' if expected.positive else 'less'} than 0.",
+        f"{name} is {value:.4g} {unit}; it must be {'greater' if positive else 'less'} than 0.",
         expected.meaning,
         "Compare the source's sign and sense with docs/symbols.md; mend a misprint with corrected = ... and a reason.",
     )
@@ -177,6 +186,8 @@ def inertia_triangle(ready: "FlightCondition") -> Found | None:
 def inertia_product(ready: "FlightCondition") -> Found | None:
     """Nor do the moments about the principal axes break that rule; then Ixz^2 < Ix Iz too. Goldstein, chapter 5."""
     ref = ready.reference
+    if "Ix" not in ready.provenance:
+        return None
     apart = math.hypot(ref.Iz - ref.Ix, 2.0 * ref.Ixz)  # the two principal moments in the plane of symmetry, subtracted
     if ref.Ixz**2 < ref.Ix * ref.Iz and (apart <= ref.Iy or inertia_triangle(ready)):
         return None
@@ -226,7 +237,7 @@ def reference_axes(ready: "FlightCondition") -> Found | None:
     Unknown, it matters even where Ixz = 0 in body axes, as long as Ix and Iz differ.
     """
     ref, given = ready.reference, ready.provenance.get("trim_alpha")
-    if given is not None and given.confidence != "low":
+    if not ready.trim_alpha_uncertain:
         return None
     said = "not given" if given is None else f"{ref.alpha / DEG:.3g} deg with low confidence"
     per_deg = (ref.Ix - ref.Iz) * DEG  # d(Ixz)/d(alpha), leading term
@@ -240,7 +251,8 @@ def reference_axes(ready: "FlightCondition") -> Found | None:
 
 def low_confidence(ready: "FlightCondition") -> Found | None:
     """The derivatives that set the modes and the controls are not of low confidence. Nelson, sections 4.5 and 5.3."""
-    low = [name for name in GOVERNING if name in ready.provenance and ready.provenance[name].confidence == "low"]
+    governing = GOVERNING if ready.nondimensional else [n for names, _ in DIMENSIONAL.values() for n in names]
+    low = [name for name in governing if name in ready.provenance and ready.provenance[name].confidence == "low"]
     if not low:
         return None
     return Found(
@@ -320,3 +332,7 @@ RULES: dict[str, Rule] = {
     "low_confidence": low_confidence,
     "unverified_correction": unverified_correction,
 }
+
+# What is not asked of a condition that is known by dimensional derivatives.
+OF_COEFFICIENTS = {"per_degree", "weight_and_lift", *(r for r in RULES if r.startswith("range_"))}
+OF_COEFFICIENTS |= {expected.rule for expected in RATIOS}

@@ -56,6 +56,23 @@ SIGNS = (
 )
 # fmt: on
 
+# What a source of dimensional derivatives gives in their place, and whether its sign is the opposite: Z points down.
+DIMENSIONAL: dict[str, tuple[tuple[str, ...], bool]] = {
+    "CL_alpha": (("Z_w",), True),
+    "Cm_alpha": (("M_w",), False),
+    "Cm_q": (("M_q",), False),
+    "CL_de": (("Z_de", "CZ_de"), True),
+    "Cm_de": (("M_de", "Cm_de"), False),
+    "Cy_beta": (("Y_v",), False),
+    "Cl_beta": (("L_beta", "L_v"), False),
+    "Cn_beta": (("N_beta", "N_v"), False),
+    "Cl_p": (("L_p",), False),
+    "Cn_r": (("N_r",), False),
+    "Cl_da": (("L_da", "Cl_da"), False),
+    "Cy_dr": (("Ystar_dr", "Cy_dr"), False),
+    "Cn_dr": (("N_dr", "Cn_dr"), False),
+}
+
 RANGES = (
     Range(
         "CL",

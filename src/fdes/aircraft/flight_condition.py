@@ -5,16 +5,18 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from fdes.aircraft.check import waived_notes
-from fdes.aircraft.schema import AircraftFile, Assumed, Condition, Confidence, Number, Part, Variant
-from fdes.errors import AircraftFileError
+from fdes.aircraft.dimensional import DimensionalDerivatives
+from fdes.aircraft.number import Confidence, Number, Part, Variant
+from fdes.aircraft.schema import AircraftFile, Assumed, Condition
+from fdes.errors import AircraftFileError, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
-from fdes.physics.derivatives import Coefficients, Reference
+from fdes.physics.derivatives import Coefficients, Form, Matrices, Reference, dimensional, matrices
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.units import DEG, G0, si_unit
 
-AILERON = ("Cy_da", "Cl_da", "Cn_da")
-INERTIA = ("Ix", "Iy", "Iz", "Ixz")
+AILERON = ("Cy_da", "Cl_da", "Cn_da", "Ystar_da", "L_da", "N_da")
+MAYBE_UNKNOWN = ("S", "b", "c", "Ix", "Iy", "Iz", "Ixz")  # where the derivatives are dimensional
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,8 @@ class Provenance:
 class FlightCondition:
     """An aircraft in a flight condition, ready to become a plant. SI and radians.
 
+    aerodynamics: nondimensional derivatives; or, where the source gives dimensional ones, A and B made of them.
+    reference: geometry and inertias that the source does not give, and the equations do not need, are 0.
     full_stick: surfaces, from trim, at full aft stick, full right stick, full right pedal and full throttle.
     trim_throttle: the share of `reference.T_max` that equals the drag.
     cg: fraction of the mean chord; None where the file does not say.
@@ -57,7 +61,7 @@ class FlightCondition:
     aircraft_name: str
     condition: str
     variant: Variant
-    coefficients: Coefficients
+    aerodynamics: Coefficients | Matrices
     reference: Reference
     limits: Limits
     full_stick: Surfaces
@@ -67,6 +71,39 @@ class FlightCondition:
     assumed: Mapping[str, Mapping[str, Any]] = field(repr=False)
     provenance: Mapping[str, Provenance] = field(repr=False)
     document: Mapping[str, Any] = field(repr=False)
+
+    @property
+    def nondimensional(self) -> bool:
+        """Whether there are nondimensional derivatives."""
+        return isinstance(self.aerodynamics, Coefficients)
+
+    @property
+    def coefficients(self) -> Coefficients:
+        """The nondimensional derivatives. Raises SpecError where the source gives dimensional ones instead."""
+        if isinstance(self.aerodynamics, Coefficients):
+            return self.aerodynamics
+        raise SpecError(
+            f"{self.aircraft_id} {self.condition} has no nondimensional derivatives: its source gives dimensional "
+            "ones. What is made of coefficients does not apply to it; its modes and its A and B are those of form "
+            "'full'."
+        )
+
+    def equations(self, form: Form) -> Matrices:
+        """A and B in that form. Raises SpecError for another than `full` where dimensional derivatives are given."""
+        if isinstance(self.aerodynamics, Coefficients):
+            return matrices(dimensional(self.aerodynamics, self.reference, form), self.reference, form)
+        if form != "full":
+            raise SpecError(
+                f"Form {form!r} does not apply to {self.aircraft_id} {self.condition}: it is made of nondimensional "
+                "derivatives, and this source gives dimensional ones. Use form 'full'."
+            )
+        return self.aerodynamics
+
+    @property
+    def trim_alpha_uncertain(self) -> bool:
+        """Whether the trim angle of attack, by which the inertias are turned, is unknown or of low confidence."""
+        given = self.provenance.get("trim_alpha")
+        return self.nondimensional and (given is None or given.confidence == "low")
 
 
 def flight_condition(
@@ -90,13 +127,18 @@ def flight_condition(
         upper=Surfaces(si["elevator_down_limit"], si["aileron_limit"], si["rudder_limit"], 1.0),
     )
     full_stick = Surfaces(-si["full_stick_elevator"], si["full_stick_aileron"], -si["full_pedal_rudder"], throttle=1.0)
-    drag = value["CD"] * 0.5 * reference.rho * reference.V**2 * reference.S
+    if condition.dimensional:
+        drag = si["drag"]
+        aerodynamics: Coefficients | Matrices = condition.dimensional.matrices(value, reference)
+    else:
+        drag = value["CD"] * 0.5 * reference.rho * reference.V**2 * reference.S
+        aerodynamics = Coefficients(**{name: value.get(name, 0.0) for name in Coefficients._fields})
     ready = FlightCondition(
         aircraft_id=file.id,
         aircraft_name=file.name,
         condition=condition.id,
         variant=variant,
-        coefficients=Coefficients(**{name: value.get(name, 0.0) for name in Coefficients._fields}),
+        aerodynamics=aerodynamics,
         reference=reference,
         limits=limits,
         full_stick=full_stick,
@@ -113,17 +155,20 @@ def flight_condition(
 
 def _numbers(file: AircraftFile, condition: Condition, variant: Variant) -> dict[str, Number]:
     """All numbers that are given for the condition, by name; the mass is that which belongs to it."""
-    found = _given(file.geometry) | _given(file.mass) | _given(condition) | _given(condition.derivatives)
+    table = condition.table
+    derivatives = table.numbers() if isinstance(table, DimensionalDerivatives) else _given(table)
+    found = _given(file.geometry) | _given(condition.mass or file.mass) | _given(condition) | derivatives
     consistent = condition.consistent_mass
     if consistent and variant == "corrected":
         more = consistent.model_dump(include={"reason", "confidence", "unverified", "sources"})
         for name, number in _given(consistent).items():
-            found[name] = found[name].model_copy(update={"corrected": number.printed, "note": number.note, **more})
+            printed = found.get(name, number)
+            found[name] = printed.model_copy(update={"corrected": number.printed, "note": number.note, **more})
     return found
 
 
-def _given(part: Part) -> dict[str, Number]:
-    return {name: number for name, number in part if isinstance(number, Number)}
+def _given(part: Part | None) -> dict[str, Number]:
+    return {name: number for name, number in part or () if isinstance(number, Number)}
 
 
 def _provenance(number: Number, variant: Variant, sign: float) -> Provenance:
@@ -143,11 +188,8 @@ def _reference(value: Mapping[str, float], mach: float, T_max: float) -> Referen
         h=h,
         alpha=value.get("trim_alpha", 0.0),
         gamma=0.0,
-        S=value["S"],
-        b=value["b"],
-        c=value["c"],
         m=value["W"],
-        **{name: value[name] for name in INERTIA},
+        **{name: value.get(name, 0.0) for name in MAYBE_UNKNOWN},
         T_max=T_max,
     )
 
@@ -155,14 +197,20 @@ def _reference(value: Mapping[str, float], mach: float, T_max: float) -> Referen
 def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Provenance], *, reverse: bool) -> list[str]:
     """What follows from how the file is filled in."""
     notes = []
-    absent = [name for name in Coefficients._fields if name not in provenance]
+    absent = [name for name in Coefficients._fields if condition.derivatives and name not in provenance]
     presumed = [name for name, p in provenance.items() if p.corrected is not None and p.unverified]
     if condition.consistent_mass:
         used = "the one that belongs to them" if variant == "corrected" else "the printed one all the same"
         notes.append(f"{condition.consistent_mass.reason} The mass used is {used}.")
     if presumed and variant == "corrected":
         notes.append(f"Presumed corrections, found in no source: {', '.join(presumed)}.")
-    if condition.trim_alpha is None:
+    if condition.dimensional:
+        axes = f"{condition.dimensional.axes} axes"
+        notes.append(f"The source gives dimensional derivatives in {axes}: the linear plant is made of them.")
+        unknown = [name for name in MAYBE_UNKNOWN if name not in provenance]
+        if unknown:
+            notes.append(f"Not given, and not needed: {', '.join(unknown)}.")
+    elif condition.trim_alpha is None:
         notes.append("The trim angle of attack is not known: it is taken as zero, the inertias as in stability axes.")
     if reverse:
         notes.append("In the source, positive aileron rolls left: aileron derivatives are used with the opposite sign.")
@@ -174,20 +222,22 @@ def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Prov
 def _check(ready: FlightCondition, drag: float) -> None:
     """What no single number shows."""
     ref = ready.reference
-    if ref.Ix * ref.Iz <= ref.Ixz**2:
+    if "Ix" in ready.provenance and ref.Ix * ref.Iz <= ref.Ixz**2:
         raise AircraftFileError(
             f"Ix, Iz and Ixz are {ref.Ix:,.0f}, {ref.Iz:,.0f} and {ref.Ixz:,.0f} kg m^2; no body has such "
             "inertias. Ixz squared must be less than Ix times Iz."
         )
-    if ready.coefficients.Cl_da <= 0.0:
+    name = "L_da" if "L_da" in ready.provenance else "Cl_da"
+    rolling = ready.provenance[name]
+    if rolling.value <= 0.0:
         raise AircraftFileError(
-            f"Cl_da is {ready.coefficients.Cl_da:g} 1/rad by the file's aileron_sense, but positive aileron "
-            'must roll right. Where the source prints Cl_da < 0, say aileron_sense = "positive rolls left".'
+            f"{name} is {rolling.value:g} {rolling.si_unit} by the file's aileron_sense, but positive aileron "
+            f'must roll right. Where the source prints {name} < 0, say aileron_sense = "positive rolls left".'
         )
     if not 0.0 <= ready.trim_throttle <= 1.0:
         raise AircraftFileError(
             f"level flight needs {drag:,.0f} N of thrust, but max_thrust is {ref.T_max:,.0f} N. "
-            "Check CD, the altitude and the units, or assume more thrust."
+            "Check the drag, the altitude and the units, or assume more thrust."
         )
     for name, held, low, high in zip(
         Surfaces._fields, ready.full_stick, ready.limits.lower, ready.limits.upper, strict=True

@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -12,9 +12,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from fdes.aircraft.dimensional import DimensionalDerivatives
 from fdes.aircraft.explain import explain
 from fdes.aircraft.flight_condition import FlightCondition, flight_condition
-from fdes.aircraft.schema import CONFIDENCES, VARIANTS, AircraftFile, Confidence, Derivatives, Variant
+from fdes.aircraft.number import CONFIDENCES, VARIANTS, Confidence, Variant
+from fdes.aircraft.schema import AircraftFile, Derivatives
 from fdes.errors import AircraftFileError, FdesError, NoSuchPart, nearest
 
 HANGAR = files("fdes.aircraft") / "hangar"
@@ -73,6 +75,7 @@ class Aircraft:
 def load(name_or_path: str | Path) -> Aircraft:
     """An aircraft of the hangar by its id, name or alias, or one from a file of your own.
 
+    With the id of one of its conditions after its own, as in ``B747_CR2144_FC9``, that condition comes first.
     Case, spaces, hyphens and underscores in a name do not matter. A path is a Path, ends in ``.toml``, or has a slash.
     Raises NoSuchPart for an unknown name, AircraftFileError for a file that cannot be used.
 
@@ -89,6 +92,11 @@ def load(name_or_path: str | Path) -> Aircraft:
     for spelling, known in spellings.items():
         if fold(spelling) == folded:
             return _of_hangar(fold(known))
+    for aircraft in catalogue():
+        for condition in aircraft.conditions:
+            if fold(aircraft.id + condition.id) == folded:
+                others = [c for c in aircraft.conditions if c is not condition]
+                return replace(aircraft, conditions=(condition, *others))
     raise NoSuchPart("aircraft", text, set(spellings.values()), spellings)
 
 
@@ -124,7 +132,7 @@ def parse(document: Mapping[str, Any], where: str) -> Aircraft:
         source=file.sources[file.conditions[0].source],
         sources=file.sources,
         conditions=tuple(
-            Condition(c.id, c.name, c.mach, c.altitude.si("corrected"), _confidence(c.derivatives), c.notes)
+            Condition(c.id, c.name, c.mach, c.altitude.si("corrected"), _confidence(c.table), c.notes)
             for c in file.conditions
         ),
         document=plain,
@@ -166,8 +174,9 @@ def _beside(path: Traversable) -> str:
     )
 
 
-def _confidence(derivatives: Derivatives) -> Confidence | None:
-    said = [number.confidence for _, number in derivatives if number and number.confidence]
+def _confidence(table: Derivatives | DimensionalDerivatives) -> Confidence | None:
+    numbers = table.numbers().items() if isinstance(table, DimensionalDerivatives) else table
+    said = [number.confidence for _, number in numbers if number and number.confidence]
     best_first = sorted(said, key=CONFIDENCES.index)
     return best_first[(len(best_first) - 1) // 2] if best_first else None
 

@@ -9,112 +9,33 @@ flight condition a table of derivatives. A number is written bare, or as a table
 other works in which the same value was found. What no source gives stands under `assumed`, with why it was chosen.
 """
 
-from collections.abc import Callable
-from typing import Annotated, Any, Literal, Self
+from typing import Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from fdes.aircraft.check import RULES
-from fdes.errors import SpecError, nearest
-from fdes.units import si_unit, to_si, units_of
-
-Confidence = Literal["high", "medium", "low"]
-CONFIDENCES: tuple[Confidence, ...] = ("high", "medium", "low")
-Variant = Literal["corrected", "printed"]
-VARIANTS: tuple[Variant, ...] = ("corrected", "printed")
-UNSAID = frozenset({"1", "1/rad"})  # units that a number need not give
-
-
-class Part(BaseModel):
-    """A part of the file: frozen, finite, and without keys that nobody reads."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
-
-
-class Number(Part):
-    """One number of a data sheet, as printed and, where that is known to be wrong, corrected."""
-
-    printed: float
-    corrected: float | None = None
-    unit: str | None = None
-    confidence: Confidence | None = None
-    unverified: bool = False  # the correction is presumed: no source has it
-    sources: tuple[str, ...] = Field(default=(), strict=False)
-    reason: str | None = None
-    note: str | None = None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _bare(cls, data: Any) -> Any:
-        return {"printed": data} if isinstance(data, int | float) and not isinstance(data, bool) else data
-
-    @model_validator(mode="after")
-    def _reasoned(self) -> Self:
-        if self.corrected is not None and not self.reason:
-            raise ValueError('has a corrected value without a reason: add reason = "..."')
-        return self
-
-    def value(self, variant: Variant) -> float:
-        """The number of that variant, in its own unit."""
-        return self.printed if variant == "printed" or self.corrected is None else self.corrected
-
-    def si(self, variant: Variant) -> float:
-        """The number of that variant in SI."""
-        return to_si(self.value(variant), self.unit or "1")
-
-
-class Assumption(Part):
-    """What no source gives: a value, and why this one."""
-
-    value: float
-    unit: str
-    reason: str = Field(min_length=1)
-
-    def si(self) -> float:
-        """The value in SI."""
-        return to_si(self.value, self.unit)
-
-
-def _in(si: str, *, positive: bool = False) -> Callable[[Any], Any]:
-    """A check that a number is in a unit of `si`, and greater than zero where it must be."""
-
-    def check(number: Number | Assumption) -> Number | Assumption:
-        fitting = ", ".join(repr(unit) for unit in units_of(si))
-        if number.unit is None:
-            if si not in UNSAID:
-                raise ValueError(f"has no unit: add unit = one of {fitting}")
-            number = number.model_copy(update={"unit": si})
-        if _si_or_none(number.unit) != si:
-            raise ValueError(f"is in {number.unit!r}, which does not fit here: use one of {fitting}")
-        values = [number.value] if isinstance(number, Assumption) else [number.value(v) for v in VARIANTS]
-        if positive and min(values) <= 0.0:
-            raise ValueError(f"is {min(values):g} {number.unit}, and must be greater than zero")
-        return number
-
-    return check
-
-
-def _si_or_none(unit: str | None) -> str | None:
-    try:
-        return si_unit(unit or "1")
-    except SpecError:
-        return None
-
-
-Ratio = Annotated[Number, AfterValidator(_in("1"))]
-Derivative = Annotated[Number, AfterValidator(_in("1/rad"))]
-Angle = Annotated[Number, AfterValidator(_in("rad"))]
-Altitude = Annotated[Number, AfterValidator(_in("m"))]
-Length = Annotated[Number, AfterValidator(_in("m", positive=True))]
-Area = Annotated[Number, AfterValidator(_in("m^2", positive=True))]
-Mass = Annotated[Number, AfterValidator(_in("kg", positive=True))]
-Inertia = Annotated[Number, AfterValidator(_in("kg m^2", positive=True))]
-Product = Annotated[Number, AfterValidator(_in("kg m^2"))]
-Speed = Annotated[Number, AfterValidator(_in("m/s", positive=True))]
-Density = Annotated[Number, AfterValidator(_in("kg/m^3", positive=True))]
-Gravity = Annotated[Number, AfterValidator(_in("m/s^2", positive=True))]
-Thrust = Annotated[Assumption, AfterValidator(_in("N", positive=True))]
-Travel = Annotated[Assumption, AfterValidator(_in("rad", positive=True))]
+from fdes.aircraft.dimensional import DimensionalDerivatives
+from fdes.aircraft.number import (
+    Altitude,
+    Angle,
+    Area,
+    Assumption,
+    Confidence,
+    Density,
+    Derivative,
+    Gravity,
+    Inertia,
+    Length,
+    Mass,
+    Number,
+    Part,
+    Product,
+    Ratio,
+    Speed,
+    Thrust,
+    Travel,
+)
+from fdes.errors import nearest
 
 
 class Geometry(Part):
@@ -127,15 +48,18 @@ class Geometry(Part):
 
 
 class MassProperties(Part):
-    """Weight as a mass, center of gravity as a fraction of the mean chord, inertias in body axes."""
+    """Weight as a mass, center of gravity as a fraction of the mean chord, inertias in body axes.
+
+    Only dimensional derivatives that are divided by the inertias and primed can do without them.
+    """
 
     source: str
     W: Mass
     cg: Ratio | None = None
-    Ix: Inertia
-    Iy: Inertia
-    Iz: Inertia
-    Ixz: Product = Field(default_factory=lambda: Number(printed=0.0, unit="kg m^2"))
+    Ix: Inertia | None = None
+    Iy: Inertia | None = None
+    Iz: Inertia | None = None
+    Ixz: Product | None = None
 
 
 class ConsistentMass(Part):
@@ -195,9 +119,13 @@ class Derivatives(Part):
 
 
 class Assumed(Part):
-    """What no source gives. Surface travel is counted from trim; a condition's own value goes before the file's."""
+    """What no source gives. Surface travel is counted from trim; a condition's own value goes before the file's.
+
+    The drag is assumed only beside dimensional derivatives, which do not say it.
+    """
 
     max_thrust: Thrust | None = None
+    drag: Thrust | None = None
     elevator_up_limit: Travel | None = None
     elevator_down_limit: Travel | None = None
     aileron_limit: Travel | None = None
@@ -208,7 +136,10 @@ class Assumed(Part):
 
 
 class Condition(Part):
-    """One straight and level flight condition. Speed and density are the standard atmosphere's unless given."""
+    """One straight and level flight condition. Speed and density are the standard atmosphere's unless given.
+
+    Its mass is the file's unless given. Its derivatives are nondimensional, or `dimensional`.
+    """
 
     id: str = Field(min_length=1)
     name: str = Field(min_length=1)
@@ -220,9 +151,23 @@ class Condition(Part):
     gravity: Gravity | None = None
     trim_alpha: Angle | None = None
     notes: tuple[str, ...] = Field(default=(), strict=False)
-    derivatives: Derivatives
+    mass: MassProperties | None = None
+    derivatives: Derivatives | None = None
+    dimensional: DimensionalDerivatives | None = None
     consistent_mass: ConsistentMass | None = None
     assumed: Assumed = Field(default_factory=Assumed)
+
+    @model_validator(mode="after")
+    def _one_kind_of_derivatives(self) -> Self:
+        if (self.derivatives is None) == (self.dimensional is None):
+            has = "neither" if self.derivatives is None else "both"
+            raise ValueError(f"has {has} of [conditions.derivatives] and [conditions.dimensional]: give one of the two")
+        return self
+
+    @property
+    def table(self) -> Derivatives | DimensionalDerivatives:
+        """The derivatives, of whichever kind."""
+        return self.derivatives or self.dimensional  # type: ignore[return-value]  # one of them is there: validated
 
 
 class Waiver(Part):
@@ -253,7 +198,7 @@ class AircraftFile(Part):
     aileron_sense: Literal["positive rolls right", "positive rolls left"] = "positive rolls right"
     notes: tuple[str, ...] = Field(default=(), strict=False)
     sources: dict[str, str]
-    geometry: Geometry
+    geometry: Geometry | None = None
     mass: MassProperties
     assumed: Assumed = Field(default_factory=Assumed)
     conditions: tuple[Condition, ...] = Field(strict=False)
@@ -274,15 +219,26 @@ class AircraftFile(Part):
                 raise ValueError(f"source {key!r} is cited, but not listed under [sources]{hint}")
         for condition in self.conditions:
             for name, number in condition.consistent_mass or ():
-                if isinstance(number, Number) and number.unit != getattr(self.mass, name).unit:
-                    unit = getattr(self.mass, name).unit
+                unit = getattr(getattr(self.mass, name, None), "unit", None)
+                if isinstance(number, Number) and unit and number.unit != unit:
                     raise ValueError(
                         f"consistent_mass.{name} of condition {condition.id!r} is not in {unit}, as [mass] is"
                     )
-            for name in Assumed.model_fields:
-                if self.assumption(name, condition) is None:
-                    raise ValueError(f"[assumed] lacks {name!r}, and condition {condition.id!r} does not give its own")
+            self._enough_for(condition)
         return self
+
+    def _enough_for(self, condition: Condition) -> None:
+        """Geometry, inertias and assumptions are there as far as the kind of derivatives needs them."""
+        needed = condition.dimensional.needs if condition.dimensional else {"S", "b", "c", "Ix", "Iy", "Iz"}
+        mass = condition.mass or self.mass
+        for name in sorted(needed):
+            block, part = ("geometry", self.geometry) if name in Geometry.model_fields else ("mass", mass)
+            if getattr(part, name, None) is None:
+                raise ValueError(f"{block}.{name} is missing, and condition {condition.id!r} needs it")
+        assumed = set(Assumed.model_fields) - ({"drag"} if condition.derivatives else set())
+        for name in Assumed.model_fields:
+            if name in assumed and self.assumption(name, condition) is None:
+                raise ValueError(f"[assumed] lacks {name!r}, and condition {condition.id!r} does not give its own")
 
     @model_validator(mode="after")
     def _waivers_have_their_conditions(self) -> Self:

@@ -4,7 +4,7 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition
 from fdes.control import LinearModel
-from fdes.physics.derivatives import Form, dimensional, matrices
+from fdes.physics.derivatives import Form
 from fdes.physics.signals import Surfaces, channels
 from fdes.physics.small_perturbation import PerturbationState
 
@@ -15,7 +15,7 @@ INPUTS = ("elevator", "throttle", "aileron", "rudder")
 def linear_model(condition: FlightCondition, form: Form = "full") -> LinearModel:
     """The small-perturbation model of `condition`: eight states, four inputs, longitudinal and lateral decoupled."""
     ref = condition.reference
-    A_lon, B_lon, A_lat, B_lat = matrices(dimensional(condition.coefficients, ref, form), ref, form)
+    A_lon, B_lon, A_lat, B_lat = condition.equations(form)
     A, B = np.zeros((8, 8)), np.zeros((8, 4))
     A[:4, :4], A[4:, 4:] = A_lon, A_lat
     B[:4, :2], B[4:, 2:] = B_lon, B_lat

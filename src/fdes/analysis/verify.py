@@ -70,7 +70,7 @@ def _of_source(source: Source) -> Iterator[Check]:
 
 def _condition(item: Source) -> Any:
     condition = load(item["aircraft"]).at(item["condition"], variant=item["variant"])
-    return replace(condition, coefficients=condition.coefficients._replace(**item.get("with", {})))
+    return replace(condition, aerodynamics=condition.coefficients._replace(**item.get("with", {})))
 
 
 def _modes(item: Source, found: Sequence[Mode | Approximation], source: Source) -> Iterator[Check]:

@@ -44,7 +44,7 @@ def list_all(json: AsJson = False) -> None:
     for a in catalogue():
         drawn.add_row(Text(a.id, "bold"), a.name)
         for c in a.conditions:
-            drawn.add_row("", f"{c.id:<12}{c.name}")
+            drawn.add_row("", f"{c.id:<16}{c.name}")
         drawn.add_row("", Text(a.source, "dim"))
         drawn.add_row()
     show = screen()

@@ -29,22 +29,27 @@ def derivatives(
     wanted = form_of_equations(form)
     ready = load(aircraft).at(condition, variant)
     model = linear_model(ready, wanted)
-    named = dimensional(ready.coefficients, ready.reference, wanted)
+    named = dimensional(ready.coefficients, ready.reference, wanted) if ready.nondimensional else None
     if json:
         print_json(
             about(ready, form)
             | {
                 "longitudinal": _as_lists(model.longitudinal()),
                 "lateral": _as_lists(model.lateral()),
-                "dimensional": {
-                    name: {"value": value, "unit": unit} for name, (value, unit) in _with_units(named).items()
-                },
+                "dimensional": named
+                and {name: {"value": value, "unit": unit} for name, (value, unit) in _with_units(named).items()},
             }
         )
         return
     show = screen()
     show.print(f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}, SI\n")
-    show.print(_dimensional_table(named))
+    if named:
+        show.print(_dimensional_table(named))
+    else:
+        show.print(
+            "The source gives dimensional derivatives: fdes aircraft show has them as printed. "
+            "A and B made of them, in stability axes:\n"
+        )
     show.print(_matrix_table("Longitudinal: rows are rates of change", model.longitudinal()))
     show.print(_matrix_table("Lateral: rows are rates of change", model.lateral()))
     thrust = ready.assumed["max_thrust"]

@@ -150,6 +150,13 @@ def stability_axis_inertia(ref: Reference) -> tuple[KilogramMeter2, KilogramMete
     return Ix, Iz, Ixz
 
 
+def primed(L: float, N: float, Ix: KilogramMeter2, Iz: KilogramMeter2, Ixz: KilogramMeter2) -> tuple[float, float]:
+    """A rolling and a yawing derivative with the product of inertia in them. McRuer et al., eq. 6-5."""
+    by_x, by_z = Ixz / Ix, Ixz / Iz
+    prime = 1.0 / (1.0 - by_x * by_z)
+    return (L + by_x * N) * prime, (N + by_z * L) * prime
+
+
 def dimensional(k: Coefficients, ref: Reference, form: Form) -> Dimensional:
     """Dimensional derivatives. Only `full` rotates the inertias. The sign of Z_wdot is that of a lift force:
     the book's table prints it without the minus.
@@ -237,29 +244,25 @@ def _full(d: Dimensional, ref: Reference) -> Matrices:
     w = (d.Z_u * z, d.Z_w * z, (V + d.Z_q) * z, -g * sin(gamma) * z)
     w_de = d.Z_de * z
     q = (d.M_u + d.M_wdot * w[0], d.M_w + d.M_wdot * w[1], d.M_q + d.M_wdot * w[2], d.M_wdot * w[3])
-    Ix, Iz, Ixz = stability_axis_inertia(ref)
-    by_x, by_z = Ixz / Ix, Ixz / Iz
-    prime = 1.0 / (1.0 - by_x * by_z)
-
-    def roll(L: float, N: float) -> float:
-        return (L + by_x * N) * prime
-
-    def yaw(L: float, N: float) -> float:
-        return (N + by_z * L) * prime
-
+    inertia = stability_axis_inertia(ref)
+    L_beta, N_beta = primed(d.L_beta, d.N_beta, *inertia)
+    L_p, N_p = primed(d.L_p, d.N_p, *inertia)
+    L_r, N_r = primed(d.L_r, d.N_r, *inertia)
+    L_da, N_da = primed(d.L_da, d.N_da, *inertia)
+    L_dr, N_dr = primed(d.L_dr, d.N_dr, *inertia)
     return Matrices(
         A_lon=((d.X_u, d.X_w, 0.0, -g * cos(gamma)), w, q, (0.0, 0.0, 1.0, 0.0)),
         B_lon=((d.X_de, d.X_dT), (w_de, 0.0), (d.M_de + d.M_wdot * w_de, 0.0), (0.0, 0.0)),
         A_lat=(
             (d.Y_beta / V, d.Y_p / V, d.Y_r / V - 1.0, g * cos(gamma) / V),
-            (roll(d.L_beta, d.N_beta), roll(d.L_p, d.N_p), roll(d.L_r, d.N_r), 0.0),
-            (yaw(d.L_beta, d.N_beta), yaw(d.L_p, d.N_p), yaw(d.L_r, d.N_r), 0.0),
+            (L_beta, L_p, L_r, 0.0),
+            (N_beta, N_p, N_r, 0.0),
             (0.0, 1.0, tan(gamma), 0.0),
         ),
         B_lat=(
             (d.Y_da / V, d.Y_dr / V),
-            (roll(d.L_da, d.N_da), roll(d.L_dr, d.N_dr)),
-            (yaw(d.L_da, d.N_da), yaw(d.L_dr, d.N_dr)),
+            (L_da, L_dr),
+            (N_da, N_dr),
             (0.0, 0.0),
         ),
     )
