@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from fdes.aircraft import load
+from fdes.cockpit import session as session_module
 from fdes.cockpit import sortie as sortie_module
 from fdes.cockpit import wire
 from fdes.cockpit.craft import Craft, condition_name, make_craft
@@ -18,7 +19,7 @@ from fdes.cockpit.replay import replay_of
 from fdes.cockpit.session import Session
 from fdes.control import Stick
 from fdes.errors import FdesError, NoSuchPart, RecordingError, SpecError
-from fdes.flight import Edit, Recording, open_recording
+from fdes.flight import Edit, Recorder, Recording, open_recording
 from fdes.flight.recorder import columns_of
 
 CRAFT = make_craft(load("A-4D").at())
@@ -141,6 +142,25 @@ def test_recording_is_not_automatic_where_it_is_not_wanted(tmp_path: Path) -> No
     session.start_recording()
     session.close()
     wait_for_recordings()
+
+
+def test_two_who_start_a_recording_at_once_start_one(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened = session_module.open_recorder
+
+    def meanwhile(folder: Path, craft: Craft) -> Recorder:
+        monkeypatch.setattr(session_module, "open_recorder", opened)
+        session.start_recording()
+        return opened(folder, craft)
+
+    monkeypatch.setattr(session_module, "open_recorder", meanwhile)
+    with pytest.raises(SpecError, match="is being recorded already"):
+        session.start_recording()
+    with pytest.raises(SpecError, match="End it before you start another"):
+        session.start_recording()
+    (kept,) = tmp_path.iterdir()
+    assert session.status()["recording"]["name"] == kept.stem
 
 
 def test_another_aircraft_ends_the_recording(session: Session, tmp_path: Path) -> None:

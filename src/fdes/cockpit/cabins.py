@@ -68,7 +68,7 @@ class Cabins:
         """Stop flying, and end every recording."""
         await asyncio.to_thread(self.hub.stop)
         for cabin in self.cabins.values():
-            await asyncio.to_thread(cabin.session.close)
+            cabin.session.close()
 
     def viewers(self) -> int:
         """How many watch, in all sessions."""
@@ -185,7 +185,7 @@ class Cabins:
         if cabin.leaving is not None:
             cabin.leaving.cancel()
         del self.cabins[cabin.session.name], self.hub.sessions[cabin.session.name]
-        self._later(cabin.session.close)
+        cabin.session.close()
 
     def _later(self, work: Any) -> None:
         """Do `work`, which waits for a disk, in a thread. What goes wrong is the session's notice."""

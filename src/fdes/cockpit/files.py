@@ -65,4 +65,6 @@ def _read(path: Path, modified: int) -> Kept:
     body = path.read_bytes()
     text = TEXTS.get(path.suffix)
     media_type = f"{text}; charset=utf-8" if text else mimetypes.guess_type(path.name)[0] or "application/octet-stream"
-    return Kept(modified, body, gzip.compress(body) if text else None, media_type, f'"{sha256(body).hexdigest()[:16]}"')
+    return Kept(
+        modified, body, gzip.compress(body) if text else None, media_type, f'W/"{sha256(body).hexdigest()[:16]}"'
+    )

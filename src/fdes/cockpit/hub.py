@@ -100,7 +100,10 @@ class Hub(Generic[S]):
             show(shown)
 
         def hand_over(shown: list[tuple[S, bytes | None]]) -> None:
-            loop.call_soon_threadsafe(receive, shown, self._now())
+            try:
+                loop.call_soon_threadsafe(receive, shown, self._now())
+            except RuntimeError:  # the loop was closed in a hurry
+                self._stopping.set()
 
         self._stopping.clear()
         self._thread = threading.Thread(target=self.run, args=(hand_over,), name="fdes hub", daemon=True)

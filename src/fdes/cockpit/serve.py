@@ -5,6 +5,7 @@ import gc
 import json
 import socket
 import sys
+import threading
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
@@ -25,6 +26,9 @@ EVERYWHERE = ("", "0.0.0.0", "::")  # noqa: S104  recognized here, chosen by the
 SWITCH_INTERVAL = (
     0.5e-3  # s: the hub waits at most this long for another thread to give way; Python's own choice is 5 ms
 )
+# Collect when a hundred thousand objects are left over. Frames that wait for the recorders live for a second; looking at
+# them again and again, as Python does by itself, stopped thirty pilots for 50 ms every few seconds.
+GARBAGE = (100_000, 10, 10)
 LARGEST_MESSAGE = (
     1 << 16
 )  # bytes: above it the connection is closed; between this and the wire's limits an error is answered
@@ -57,12 +61,14 @@ def serve(
         url = url_of(listener)
 
         def ready() -> None:
-            line = json.dumps({"url": url}) if json_line else f"FDES flies at {url} (press Ctrl+C to stop)"
-            print(line, flush=True)  # noqa: T201  the one line a server prints
+            print(json.dumps({"url": url}) if json_line else greeting(listener), flush=True)  # noqa: T201  the one line a server prints
             if open_browser:
-                webbrowser.open(url)
+                threading.Thread(
+                    target=webbrowser.open, args=(url,), daemon=True
+                ).start()  # it may wait for the browser
 
         sys.setswitchinterval(SWITCH_INTERVAL)
+        gc.set_threshold(*GARBAGE)
         config = uvicorn.Config(
             application(cabins, loopback=is_loopback(listener.getsockname()[0])),
             log_config=None,
@@ -135,6 +141,13 @@ def free_port(host: str) -> int:
     with listening(host, 0) as found:
         port: int = found.getsockname()[1]
     return port
+
+
+def greeting(listener: socket.socket) -> str:
+    """What is said to whoever started the server."""
+    host, port = listener.getsockname()[:2]
+    others = f"For others on the network: http://{socket.gethostname()}:{port}. " if host in EVERYWHERE else ""
+    return f"FDES flies at {url_of(listener)}. {others}Press Ctrl+C to stop."
 
 
 def url_of(listener: socket.socket) -> str:

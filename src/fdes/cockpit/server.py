@@ -10,6 +10,7 @@ from io import StringIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
 
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
@@ -236,7 +237,9 @@ def file_pieces(path: Path, size: int) -> Iterator[bytes]:
 
 def attached(name: str) -> dict[str, str]:
     """Headers of a download that is to be kept as `name`."""
-    return {"content-disposition": f'attachment; filename="{name}"', "cache-control": "no-store"}
+    plain = quote(name) == name
+    said = f'filename="{name}"' if plain else f"filename*=utf-8''{quote(name)}"
+    return {"content-disposition": f"attachment; {said}", "cache-control": "no-store"}
 
 
 def figures(cabins: Cabins, seconds: float) -> dict[str, Any]:

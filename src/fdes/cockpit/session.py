@@ -17,6 +17,7 @@ from fdes.cockpit.replay import Replay
 from fdes.cockpit.sortie import AGAIN, Sortie, open_recorder
 from fdes.control import Stick
 from fdes.errors import SpecError
+from fdes.flight import Recorder
 
 EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
@@ -204,14 +205,11 @@ class Session:
             with self._lock:
                 sortie.notice, self.changed = f"The flight is not recorded: {why}.", True
             raise SpecError(f"The flight is not recorded: {why}.") from trouble
-        with self._lock:
-            too_late = sortie is not self._sortie or sortie.ended or sortie.recorder is not None
-            if not too_late:
-                sortie.recorder, sortie.touched, self.changed = recorder, True, True
-        if too_late:
-            recorder.close("never begun")
-            raise SpecError("The flight ended before its recording began.")
-        return recorder.path.stem
+        if self._record_with(recorder, sortie):
+            return recorder.path.stem
+        recorder.close("never begun")
+        recorder.path.unlink(missing_ok=True)
+        raise SpecError("The flight that was to be recorded has ended meanwhile, or is being recorded already.")
 
     def stop_recording(self) -> str:
         """End the recording and keep it; returns its name. Raises SpecError when there is none."""
@@ -228,6 +226,14 @@ class Session:
         with self._lock:
             self.watched = False
             self._sortie.release("session closed")
+
+    def _record_with(self, recorder: Recorder, sortie: Sortie) -> bool:
+        """Record `sortie`, if it is still the one that is flown and is not recorded yet."""
+        with self._lock:
+            if sortie is not self._sortie or sortie.ended or sortie.recorder is not None:
+                return False
+            sortie.recorder, sortie.touched, self.changed = recorder, True, True
+            return True
 
     def _go_on(self) -> None:
         recorder = self._sortie.recorder
