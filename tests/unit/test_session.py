@@ -147,7 +147,7 @@ def test_recording_is_not_automatic_where_it_is_not_wanted(tmp_path: Path) -> No
 def test_two_who_start_a_recording_at_once_start_one(
     session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    opened = session_module.open_recorder
+    opened = sortie_module.open_recorder
 
     def meanwhile(folder: Path, craft: Craft) -> Recorder:
         monkeypatch.setattr(session_module, "open_recorder", opened)

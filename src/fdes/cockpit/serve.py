@@ -26,8 +26,8 @@ EVERYWHERE = ("", "0.0.0.0", "::")  # noqa: S104  recognized here, chosen by the
 SWITCH_INTERVAL = (
     0.5e-3  # s: the hub waits at most this long for another thread to give way; Python's own choice is 5 ms
 )
-# Collect when a hundred thousand objects are left over. Frames that wait for the recorders live for a second; looking at
-# them again and again, as Python does by itself, stopped thirty pilots for 50 ms every few seconds.
+# Collect when a hundred thousand objects are left over. Frames that wait for the recorders live for a second; to look
+# at them again and again, as Python does by itself, stopped thirty pilots for 50 ms every few seconds.
 GARBAGE = (100_000, 10, 10)
 LARGEST_MESSAGE = (
     1 << 16
