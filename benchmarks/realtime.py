@@ -11,6 +11,7 @@ import asyncio
 import contextlib
 import json
 import math
+import os
 import shutil
 import struct
 import subprocess
@@ -48,7 +49,9 @@ def main(argv: list[str] | None = None) -> list[Row]:
     options.add_argument("--loads", type=int, default=30, help="page loads at once, while all pilots fly")
     chosen = options.parse_args(argv)
     with tempfile.TemporaryDirectory() as data, cockpit(Path(data)) as (url, listening_after):
-        rows = [Row("fdes fly to listening", f"{listening_after:.2f} s", "1 s")]
+        busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else math.nan
+        rows = [Row("load of the computer at the start", f"{busy:.1f}", "0")]
+        rows += [Row("fdes fly to listening", f"{listening_after:.2f} s", "1 s")]
         rows += asyncio.run(measure(url, chosen.pilots, chosen.seconds, chosen.loads))
     width = [max(len(row[i]) for row in rows) for i in range(3)]
     for row in (Row("figure", "measured", "demand"), *rows):
