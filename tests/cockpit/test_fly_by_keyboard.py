@@ -167,6 +167,22 @@ def test_a_recording_downloads_as_csv_and_replays(page: Any, cockpit: str) -> No
     page.wait_for_function("() => (window.fdes.link.flags & 4) === 0")
 
 
+def test_inputs_disturbances_and_a_step_that_is_too_long(page: Any) -> None:
+    page.get_by_role("tab", name="Inputs").click()
+    page.get_by_role("button", name="Elevator doublet").click()
+    page.wait_for_function("() => Math.abs(window.fdes.drawn.elevator) > 0.03")
+    page.wait_for_function("() => window.fdes.drawn.t > 0.2 && window.fdes.drawn.elevator === 0")
+    page.get_by_role("button", name="β + 5°").click()
+    page.wait_for_function("() => window.fdes.drawn.beta > 0.05")
+    panel = page.locator("#panel-inputs")
+    panel.get_by_role("combobox").nth(3).select_option("euler")
+    panel.get_by_role("combobox").nth(4).select_option("0.1 s")
+    page.get_by_role("button", name="Fly from trim with these").click()
+    page.get_by_text("euler is stable up to 0.0580 s here (dutch roll). This step is beyond it").wait_for()
+    page.get_by_role("button", name="β + 5°").click()
+    page.wait_for_function("() => Math.abs(window.fdes.drawn.p) > 1.0", timeout=60_000)
+
+
 def test_another_aircraft_is_flown_from_the_picker(page: Any) -> None:
     speed = drawn(page)["V"]
     page.get_by_role("button", name="A-4D").first.click()

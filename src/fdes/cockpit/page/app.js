@@ -5,6 +5,7 @@ import { drawSheet } from "./aircraft_sheet.js";
 import { Cockpit } from "./cockpit.js";
 import { byId } from "./dom.js";
 import { fillHelp } from "./help.js";
+import { InputsPanel } from "./inputs.js";
 import { InstrumentPanel, SIX } from "./instrument_panel.js";
 import { listenToKeys } from "./keys.js";
 import { FLAG, Link } from "./link.js";
@@ -43,6 +44,7 @@ const topBar = new TopBar(link, cockpit, stick);
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
+const inputs = new InputsPanel(byId("panel-inputs"), command);
 const replayBar = new ReplayBar(byId("replay"), command);
 const picker = new AircraftPicker(byId("picker"), fly);
 const chooser = new SignalChooser(byId("chooser"), chart);
@@ -138,7 +140,7 @@ link.on("frame", ({ values, index }) => {
   cockpit.flying = pilot;
 });
 link.on("aircraft", (aircraft) => {
-  const now = `${aircraft.id} ${aircraft.condition} ${aircraft.variant}`;
+  const now = [aircraft.id, aircraft.condition, aircraft.variant, aircraft.form, aircraft.integrator, aircraft.dt].join(" ");
   if (now !== flown) {
     flown = now;
     stick.toTrim(aircraft.trim_throttle);
@@ -149,6 +151,7 @@ link.on("aircraft", (aircraft) => {
   indicator.setTrim(aircraft.trim_throttle);
   topBar.showAircraft(aircraft);
   picker.setCurrent(aircraft);
+  inputs.show(aircraft);
   drawSheet(byId("panel-aircraft"), aircraft);
 });
 link.on("modes", (message) => modes.show(message.modes));

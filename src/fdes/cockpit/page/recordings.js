@@ -22,6 +22,12 @@ export class RecordingsPanel {
     }
   }
 
+  async remove(recording, what) {
+    if (!confirm(`Delete the recording of ${what}, ${when(recording.started)}? It cannot be brought back.`)) return;
+    await this.command("delete", { recording: recording.name });
+    await this.refresh();
+  }
+
   list(recordings) {
     return html(
       "ul",
@@ -66,6 +72,13 @@ export class RecordingsPanel {
                 title: "Every number as it was flown, for fdes and Python",
               },
               "FDES",
+            ),
+            html("a", { class: "button", href: `${file}.nc`, download: `${recording.name}.nc`, title: "NetCDF" }, "NC"),
+            html("a", { class: "button", href: `${file}.mat`, download: `${recording.name}.mat`, title: "MATLAB" }, "MAT"),
+            html(
+              "button",
+              { onclick: () => this.remove(recording, what), "aria-label": `Delete ${what}, ${when(recording.started)}` },
+              "Delete",
             ),
           ),
         );
