@@ -293,7 +293,7 @@ def test_commands_that_cannot_be_obeyed_are_answered_with_a_sentence(served: Ser
             ({"name": "freeze"}, "The command 'freeze' needs 'value'."),
             ({"name": "aircraft", "aircraft": "NAVYON"}, "There is no aircraft named 'NAVYON'. Did you mean 'NAVION'?"),
             ({"name": "aircraft", "aircraft": "../../etc/passwd"}, "There is no aircraft named"),
-            ({"name": "aircraft", "aircraft": "/tmp/mine.toml"}, "There is no aircraft named"),
+            ({"name": "aircraft", "aircraft": "/srv/mine.toml"}, "There is no aircraft named"),
             (
                 {"name": "aircraft", "aircraft": "A-4D", "condition": "M9"},
                 "There is no flight condition of the A-4D named 'M9'",
