@@ -142,3 +142,20 @@ def test_a_terminal_that_knows_only_ascii_gets_all_the_same_table(fdes_command: 
     plain = {**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}
     run = subprocess.run([fdes_command, "modes", "NAVION"], capture_output=True, env=plain, check=True)
     assert b"short period" in run.stdout.decode("ascii").encode()
+
+
+def test_how_the_dutch_roll_depends_on_an_uncertain_angle_is_shown() -> None:
+    text = run("aircraft", "show", "F-104A", "--condition", "M0.257_SL").stdout
+    rows = [line.split() for line in text.split("the Dutch roll depends on it")[1].splitlines()[4:13]]
+    assert [row[0] for row in rows] == ["0", "1", "2", "2.3", "3", "4", "6", "8", "10"]
+    assert [float(row[1]) < 0.0 for row in rows[:4]] == [True, True, False, False]
+    assert rows[3][-1] == "used"
+    assert "depends on it" in run("aircraft", "show", "A-4D", "--condition", "M0.8_35kft").stdout
+    assert "depends on it" not in run("aircraft", "show", "B747").stdout
+
+
+def test_what_dimensional_derivatives_cannot_say_is_said() -> None:
+    assert "The source gives dimensional derivatives: fdes aircraft show has them" in run("derivatives", "A-7A").stdout
+    shown = " ".join(run("aircraft", "show", "A-7A").stdout.split())
+    assert "M_u 0.00201 1/(ft s) medium 0.006594 1/(m s)" in shown
+    assert "The source gives dimensional derivatives in body axes" in shown

@@ -8,11 +8,13 @@ from typer.core import TyperGroup
 
 from fdes.cli.options import AircraftName, AsJson, ConditionName, VariantName
 from fdes.cli.output import number, print_json, screen, table
+from fdes.units import DEG
 
 if TYPE_CHECKING:
     from rich.table import Table
 
     from fdes.aircraft import Aircraft, FlightCondition
+    from fdes.analysis.trim_alpha import DutchRollAt
 
 
 class ListOrShow(TyperGroup):
@@ -61,11 +63,13 @@ def show(
 ) -> None:
     """Every number of an aircraft: as printed, corrected and why, how sure; and what is only assumed."""
     from fdes.aircraft import load
+    from fdes.analysis.trim_alpha import dutch_roll_by_trim_alpha
 
     chosen = load(aircraft)
     ready = chosen.at(condition, variant)
     if json:
-        print_json(_picture(chosen) | _numbers(ready) | {"sources": dict(chosen.sources)})
+        depends = {"dutch_roll_by_trim_alpha": [at._asdict() for at in dutch_roll_by_trim_alpha(ready)]}
+        print_json(_picture(chosen) | _numbers(ready) | depends | {"sources": dict(chosen.sources)})
         return
     page = screen()
     page.print(f"{chosen.name} ({chosen.id})", style="bold")
@@ -73,6 +77,8 @@ def show(
     page.print(f"Also called {', '.join(chosen.aliases)}\n" if chosen.aliases else "")
     page.print(_named([(f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in chosen.conditions]))
     page.print(_number_table(ready))
+    if by_alpha := dutch_roll_by_trim_alpha(ready):
+        page.print(_dutch_roll_table(by_alpha))
     assumed = [(name, f"{a['value']:,.10g} {a['unit']}: {a['reason']}") for name, a in ready.assumed.items()]
     for title, rows in (
         ("Corrections", _corrections(ready)),
@@ -130,6 +136,21 @@ def _number_table(ready: "FlightCondition") -> "Table":
         printed = Text(f"{p.printed:,.10g}", "dim" if mended and corrected else "")
         by = Text("" if p.corrected is None else f"{p.corrected:,.10g}", "bold" if corrected else "dim")
         drawn.add_row(name, printed, by, _shown(p.unit), p.confidence or "", number(p.value), _shown(p.si_unit))
+    return drawn
+
+
+def _dutch_roll_table(by_alpha: "list[DutchRollAt]") -> "Table":
+    """What hangs on a trim angle of attack that no source gives, or only a doubtful one."""
+    title = "The trim angle of attack is not well known, and the Dutch roll depends on it"
+    drawn = table("alpha [deg]", "zeta", "omega_n [rad/s]", "", title=title)
+    for at in by_alpha:
+        drawn.add_row(
+            f"{at.alpha / DEG:.3g}",
+            number(at.zeta, 3),
+            number(at.omega_n, 3),
+            "< used" if at.used else "",
+            style="red" if at.zeta < 0.0 else None,
+        )
     return drawn
 
 

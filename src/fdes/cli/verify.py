@@ -12,6 +12,10 @@ from fdes.errors import SpecError
 if TYPE_CHECKING:
     from fdes.analysis.verify import Check
 
+VERDICTS = {"ok": "ok", "misprint": "misprint", "failed": "FAILED", "no check": "not held"}
+STYLES = {"failed": "red", "misprint": "yellow", "no check": "dim"}
+NOTED = ("misprint", "no check")
+
 app = typer.Typer(no_args_is_help=True, help="Hold what FDES computes against what is published.")
 
 
@@ -22,7 +26,10 @@ def textbooks(
     ] = None,
     json: AsJson = False,
 ) -> None:
-    """Every number of every source, with the error achieved. Exits with 1 if one is out of its tolerance."""
+    """Every number of every source, with the error achieved. Exits with 1 if one is out of its tolerance.
+
+    A number that misses because of an accepted misprint is shown as such. What cannot be compared is shown, not held.
+    """
     from fdes.analysis.verify import checks
     from fdes.sources import sources as published
 
@@ -31,14 +38,18 @@ def textbooks(
     found = checks(published(sources))
     if not found:
         raise SpecError(f"There is nothing to verify in {sources}: no source file there holds a published number.")
-    failed = [check for check in found if not check.passed]
+    ok, misprints, failed, shown = (
+        sum(check.verdict == verdict for check in found) for verdict in ("ok", "misprint", "failed", "no check")
+    )
     if json:
-        print_json(
-            {"checks": [_as_json(check) for check in found], "passed": len(found) - len(failed), "failed": len(failed)}
-        )
+        counts = {"passed": ok, "misprints": misprints, "failed": failed, "shown": shown}
+        print_json({"checks": [_as_json(check) for check in found], **counts})
     else:
         _show(found)
-        screen().print(f"{len(found)} checks: {len(found) - len(failed)} passed, {len(failed)} failed")
+        if shown:
+            screen().print(f"{shown} more numbers are shown with the reason why they are not held.")
+        excused = f"{misprints} accepted misprint{'s' * (misprints != 1)}, " if misprints else ""
+        screen().print(f"{len(found) - shown} checks: {ok} passed, {excused}{failed} failed")
     if failed:
         raise typer.Exit(1)
 
@@ -52,7 +63,9 @@ def _as_json(check: "Check") -> dict[str, str | float | bool | None]:
         "computed": check.computed if finite else None,
         "error": check.error if finite else None,
         "tolerance": check.tolerance,
-        "passed": check.passed,
+        "verdict": check.verdict,
+        "passed": check.passed if check.tolerance is not None else None,
+        "note": check.note,
         "citation": check.citation,
         "where": check.where,
     }
@@ -66,16 +79,19 @@ def _show(found: "list[Check]") -> None:
         drawn = table("quantity", "published", "computed", "error", "allowed", "")
         for check in of_item:
             percent = check.published != 0.0
+            allowed = f"{100.0 * (check.tolerance or 0.0):.2g} %" if percent else f"{check.floor:.2g}"
             drawn.add_row(
                 check.quantity,
                 number(check.published),
                 number(check.computed, 5),
                 f"{100.0 * check.error:.2g} %" if percent else f"{check.error:.2g}",
-                f"{100.0 * check.tolerance:.2g} %" if percent else f"{check.floor:.2g}",
-                "ok" if check.passed else "FAILED",
-                style=None if check.passed else "red",
+                "" if check.tolerance is None else allowed,
+                VERDICTS[check.verdict],
+                style=STYLES.get(check.verdict),
             )
         screen().print(drawn)
+        for verdict, note in dict.fromkeys((c.verdict, c.note) for c in of_item if c.verdict in NOTED):
+            screen().print(f"{VERDICTS[verdict]}: {note}", style=STYLES[verdict])
 
 
 @app.command(epilog="Example: fdes verify paper --out paper.html")
