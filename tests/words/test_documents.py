@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 import fdes
+from fdes.cockpit import wire
 from fdes.physics.derivatives import FORMS, Coefficients
 from fdes.physics.signals import Channel, Outputs, channels
 from fdes.shelf import SHELVES
@@ -73,3 +74,8 @@ def test_ci_finds_the_test_command_of_the_readme() -> None:
 @pytest.mark.parametrize("package", SHELVES.values())
 def test_contributing_says_where_a_part_goes(package: str) -> None:
     assert f"src/{package.replace('.', '/')}/NAME" in text_of("CONTRIBUTING.md")
+
+
+def test_every_command_of_the_wire_is_described() -> None:
+    described = text_of("docs/wire.md")
+    assert [name for name in wire.COMMANDS if f"`{name}`" not in described] == []
