@@ -28,22 +28,24 @@ def by_name(condition: FlightCondition) -> dict[str, complex]:
     return {mode.name: mode.eigenvalue for mode in modes(condition)}
 
 
-def test_body_axis_equations_keep_their_eigenvalues() -> None:
-    """Written out once more for the A-7A at 11.2 deg, in ft and s, by numpy: McRuer et al., eq. 4-44 to 4-49."""
-    V, g, alpha = 279.0, 32.174, 11.2 * DEG
-    U, W, s, c = V * np.cos(alpha), V * np.sin(alpha), np.sin(alpha), np.cos(alpha)
-    w = np.array([-0.0814, -0.779, U, -g * s])
-    lon = np.array(
-        [[0.0162, -0.0145, -W, -g * c], w, np.array([0.00201, -0.00982, -0.466, 0.0]) - 0.000286 * w, [0, 0, 1, 0]]
-    )
-    lat = np.array(
-        [[-0.162, W / V, -U / V, g * c / V], [-11.9, -2.0, 1.18, 0], [1.28, -0.087, -0.369, 0], [0, 1, s / c, 0]]
-    )
-    model = linear_model(load("A-7A").at())
+@pytest.mark.parametrize(("name", "k"), [("a7a", 0), ("b747cr2144", 0), ("b747cr2144", 4), ("nt33a", 1)])
+def test_body_axis_equations_keep_their_eigenvalues(name: str, k: int) -> None:
+    """Written out once more in body axes, in ft and s, by numpy: McRuer et al., eq. 4-44 to 4-49."""
+    said = document(name)["conditions"][k]
+    d = dict.fromkeys(("Z_wdot", "Z_q"), 0.0) | said["dimensional"]
+    V, g, alpha = said["speed"]["printed"], said["gravity"]["printed"], said["trim_alpha"]["printed"] * DEG
+    U, W, gx, gz = V * np.cos(alpha), V * np.sin(alpha), g * np.cos(alpha), g * np.sin(alpha)
+    u = np.array([d["X_u"], d["X_w"], -W, -gx])
+    w = np.array([d["Z_u"], d["Z_w"], U + d["Z_q"], -gz]) / (1.0 - d["Z_wdot"])
+    q = np.array([d["M_u"], d["M_w"], d["M_q"], 0.0]) + d["M_wdot"] * w
+    lon = np.array([u, w, q, [0.0, 0.0, 1.0, 0.0]])
+    beta = [d["Y_v"], W / V, -U / V, gx / V]
+    p, r = ([d[f"{n}_beta"], d[f"{n}_p"], d[f"{n}_r"], 0.0] for n in "LN")
+    lat = np.array([beta, p, r, [0.0, 1.0, np.tan(alpha), 0.0]])
+    model = linear_model(load(name).at(said["id"]))
     for written, ours in ((lon, model.longitudinal()), (lat, model.lateral())):
-        np.testing.assert_allclose(
-            np.sort_complex(np.linalg.eigvals(ours.A)), np.sort_complex(np.linalg.eigvals(written)), rtol=1e-9
-        )
+        expected, found = (np.sort_complex(np.linalg.eigvals(A)) for A in (written, ours.A))
+        np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
 def test_in_stability_axes_bank_is_the_integral_of_the_roll_rate() -> None:

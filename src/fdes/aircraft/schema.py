@@ -219,7 +219,7 @@ class AircraftFile(Part):
                 raise ValueError(f"source {key!r} is cited, but not listed under [sources]{hint}")
         for condition in self.conditions:
             for name, number in condition.consistent_mass or ():
-                unit = getattr(getattr(self.mass, name, None), "unit", None)
+                unit = getattr(getattr(condition.mass or self.mass, name, None), "unit", None)
                 if isinstance(number, Number) and unit and number.unit != unit:
                     raise ValueError(
                         f"consistent_mass.{name} of condition {condition.id!r} is not in {unit}, as [mass] is"

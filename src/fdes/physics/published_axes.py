@@ -1,7 +1,7 @@
 """A and B from dimensional derivatives as a report prints them, in body or in stability axes.
 
-The whole equations are written in the axes of the derivatives, then the state is turned into stability axes. That is a
-similarity: the eigenvalues are those of the report's own equations.
+State, forces and moments are turned from the axes of the derivatives to stability axes. That is a similarity: the
+eigenvalues are those of the report's own equations, in which rotation and gravity have components along both axes.
 
 Reference: D. McRuer, I. Ashkenas, D. Graham, Aircraft Dynamics and Automatic Control, 1973, eq. 4-44 to 4-49 and 6-5.
 """
@@ -9,7 +9,7 @@ Reference: D. McRuer, I. Ashkenas, D. Graham, Aircraft Dynamics and Automatic Co
 from typing import Annotated, NamedTuple
 
 from fdes.elementary import cos, sin, tan
-from fdes.physics.derivatives import Matrices, Matrix
+from fdes.physics.derivatives import Matrices
 from fdes.units import MeterPerSecond, MeterPerSecond2, Radian
 
 
@@ -56,37 +56,39 @@ def stability_axis_matrices(
 
     The thrust acts along the velocity: X_dT is ours, no report has it.
     """
-    U, W = V * cos(alpha), V * sin(alpha)
-    theta = alpha + gamma
-    z = 1.0 / (1.0 - d.Z_wdot)
-    w = (d.Z_u * z, d.Z_w * z, (U + d.Z_q) * z, -g * sin(theta) * z)
-    w_de = d.Z_de * z
-    q = (d.M_u + d.M_wdot * w[0], d.M_w + d.M_wdot * w[1], d.M_q + d.M_wdot * w[2], d.M_wdot * w[3])
-    A_lon: Matrix = ((d.X_u, d.X_w, -W, -g * cos(theta)), w, q, (0.0, 0.0, 1.0, 0.0))
-    B_lon: Matrix = ((d.X_de,), (w_de,), (d.M_de + d.M_wdot * w_de,), (0.0,))
-    A_lat: Matrix = (
-        (d.Y_v, (W + d.Y_p) / V, (d.Y_r - U) / V, g * cos(theta) / V),
-        (d.L_beta, d.L_p, d.L_r, 0.0),
-        (d.N_beta, d.N_p, d.N_r, 0.0),
-        (0.0, 1.0, tan(theta), 0.0),
-    )
-    B_lat: Matrix = ((d.Ystar_da, d.Ystar_dr), (d.L_da, d.L_dr), (d.N_da, d.N_dr), (0.0, 0.0))
-
     s, c = sin(alpha), cos(alpha)
-    bank = cos(theta) / cos(gamma)  # a small bank about the velocity by one about the x axis
-    lon: Matrix = ((c, s, 0.0, 0.0), (-s, c, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
-    lon_back: Matrix = ((c, -s, 0.0, 0.0), (s, c, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
-    lat: Matrix = ((1.0, 0.0, 0.0, 0.0), (0.0, c, s, 0.0), (0.0, -s, c, 0.0), (0.0, 0.0, 0.0, bank))
-    lat_back: Matrix = ((1.0, 0.0, 0.0, 0.0), (0.0, c, -s, 0.0), (0.0, s, c, 0.0), (0.0, 0.0, 0.0, 1.0 / bank))
-    turned = _product(lon, B_lon)
+
+    def turned(first: float, second: float) -> tuple[float, float]:
+        """The x and z components of a vector, or derivatives with respect to them, along the stability axes."""
+        return c * first + s * second, c * second - s * first
+
+    # Columns u, w, q, theta, elevator: the aerodynamics turned; gravity and rotation as stability axes have them.
+    X = (*turned(d.X_u, d.X_w), 0.0, 0.0, d.X_de)
+    Z = (*turned(d.Z_u, d.Z_w), d.Z_q, 0.0, d.Z_de)
+    M = (*turned(d.M_u, d.M_w), d.M_q, 0.0, d.M_de)
+    free = ((0.0, 0.0), (0.0, 0.0), (0.0, V), (-g * cos(gamma), -g * sin(gamma)), (0.0, 0.0))
+    forces = [turned(x, z) for x, z in zip(X, Z, strict=True)]
+    along, down = zip(*[(x + a, z + b) for (x, z), (a, b) in zip(forces, free, strict=True)], strict=True)
+    # Z_wdot and M_wdot go with the acceleration along the z axis of the derivatives.
+    w_dot = [(s * x + c * z) / (1.0 - d.Z_wdot) for x, z in zip(along, down, strict=True)]
+    u = [x + s * d.Z_wdot * a for x, a in zip(along, w_dot, strict=True)]
+    w = [z + c * d.Z_wdot * a for z, a in zip(down, w_dot, strict=True)]
+    q = [m + d.M_wdot * a for m, a in zip(M, w_dot, strict=True)]
+
+    # Columns p, r, then those of one derivative alone.
+    side_p, side_r = turned(d.Y_p / V, d.Y_r / V)
+    (L_p, N_p), (L_r, N_r) = (turned(*by) for by in zip(turned(d.L_p, d.L_r), turned(d.N_p, d.N_r), strict=True))
+    L_beta, N_beta = turned(d.L_beta, d.N_beta)
+    L_da, N_da = turned(d.L_da, d.N_da)
+    L_dr, N_dr = turned(d.L_dr, d.N_dr)
     return Matrices(
-        A_lon=_product(_product(lon, A_lon), lon_back),
-        B_lon=tuple((row[0], thrust) for row, thrust in zip(turned, (X_dT, 0.0, 0.0, 0.0), strict=True)),
-        A_lat=_product(_product(lat, A_lat), lat_back),
-        B_lat=_product(lat, B_lat),
+        A_lon=(tuple(u[:4]), tuple(w[:4]), tuple(q[:4]), (0.0, 0.0, 1.0, 0.0)),
+        B_lon=((u[4], X_dT), (w[4], 0.0), (q[4], 0.0), (0.0, 0.0)),
+        A_lat=(
+            (d.Y_v, side_p, side_r - 1.0, g * cos(gamma) / V),
+            (L_beta, L_p, L_r, 0.0),
+            (N_beta, N_p, N_r, 0.0),
+            (0.0, 1.0, tan(gamma), 0.0),
+        ),
+        B_lat=((d.Ystar_da, d.Ystar_dr), (L_da, L_dr), (N_da, N_dr), (0.0, 0.0)),
     )
-
-
-def _product(left: Matrix, right: Matrix) -> Matrix:
-    columns = tuple(zip(*right, strict=True))
-    return tuple(tuple(sum([a * b for a, b in zip(row, column, strict=True)]) for column in columns) for row in left)
