@@ -179,6 +179,14 @@ def test_a_condition_has_one_kind_of_derivatives(kinds: str) -> None:
         parse(changed, "x")
 
 
+def test_body_axes_need_the_trim_angle_of_attack() -> None:
+    changed = document("a7a")
+    del changed["conditions"][0]["trim_alpha"]
+    with pytest.raises(AircraftFileError, match="condition 'FC1' lacks trim_alpha: without it, derivatives in body"):
+        parse(changed, "x")
+    assert any("shown as if it were zero" in note for note in load("B747_Etkin").at().notes)
+
+
 def test_a_lost_assumption_or_geometry_is_missed() -> None:
     changed = document("a7a")
     del changed["conditions"][0]["assumed"]["drag"]

@@ -17,7 +17,19 @@ from fdes.cli import app
 from fdes.physics.derivatives import FORMS
 
 CONDITIONS = [(a.id, c.id) for a in catalogue() for c in a.conditions]
-COMMANDS = [["fly"], ["modes"], ["derivatives"], ["simulate"], ["aircraft"], ["aircraft", "list"], ["aircraft", "show"], ["check"], ["settings"], ["verify", "textbooks"], ["verify", "paper"]]
+COMMANDS = [
+    ["fly"],
+    ["modes"],
+    ["derivatives"],
+    ["simulate"],
+    ["aircraft"],
+    ["aircraft", "list"],
+    ["aircraft", "show"],
+    ["check"],
+    ["settings"],
+    ["verify", "textbooks"],
+    ["verify", "paper"],
+]
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals and pipes as POSIX has them")
 
 

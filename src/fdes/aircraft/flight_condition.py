@@ -210,6 +210,8 @@ def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Prov
         unknown = [name for name in MAYBE_UNKNOWN if name not in provenance]
         if unknown:
             notes.append(f"Not given, and not needed: {', '.join(unknown)}.")
+        if condition.trim_alpha is None:
+            notes.append("The trim angle of attack is not given: alpha and theta are shown as if it were zero.")
     elif condition.trim_alpha is None:
         notes.append("The trim angle of attack is not known: it is taken as zero, the inertias as in stability axes.")
     if reverse:

@@ -162,6 +162,8 @@ class Condition(Part):
         if (self.derivatives is None) == (self.dimensional is None):
             has = "neither" if self.derivatives is None else "both"
             raise ValueError(f"has {has} of [conditions.derivatives] and [conditions.dimensional]: give one of the two")
+        if self.dimensional and self.dimensional.axes == "body" and self.trim_alpha is None:
+            raise ValueError("lacks trim_alpha: without it, derivatives in body axes make no equations")
         return self
 
     @property
