@@ -32,7 +32,7 @@ class Broken(Session):
 
 
 class Machine:
-    """A clock that sleeping moves, and that stalls for `stall` s in the sleep number `at`; after `sleeps` the hub stops."""
+    """A clock that sleeping moves, stalling for `stall` s in sleep number `at`; after `sleeps` the hub stops."""
 
     def __init__(self, sleeps: int, at: int = -1, stall: float = 0.0) -> None:
         self.time, self.at, self.stall = 0.0, at, stall

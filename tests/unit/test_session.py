@@ -330,3 +330,16 @@ def test_a_long_step_is_flown_as_such(tmp_path: Path) -> None:
     assert session.shown.briefing["step_limit"]["mode"] == "dutch_roll"
     with pytest.raises(SpecError, match=r"A step of 0\.001 s cannot be flown"):
         make_craft(CRAFT.condition, "full", "euler", 0.001)
+
+
+def test_a_reset_after_a_replay_flies_on(session: Session, tmp_path: Path) -> None:
+    ticks(session, 5)
+    session.play(replay_of("r", recording_of(CRAFT, 50)))
+    session.stop_replay()
+    session.reset()
+    before = session._sortie.frame.t
+    ticks(session, 5)
+    assert session._sortie.frame.t > before
+    session.freeze()
+    session.reset()
+    assert session.status()["frozen"]  # what the pilot froze stays frozen

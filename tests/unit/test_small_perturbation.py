@@ -6,7 +6,7 @@ import pytest
 from fdes.aircraft import load
 from fdes.control import exact_hold
 from fdes.flight import plant_of
-from fdes.physics.derivatives import FORMS, stability_axis_inertia
+from fdes.physics.derivatives import FORMS, dimensional, stability_axis_inertia
 from fdes.physics.signals import Air, Surfaces
 from fdes.physics.small_perturbation import PerturbationState, SmallPerturbation
 from fdes.units import DEG
@@ -122,3 +122,33 @@ def test_steady_roll_rate_is_that_of_one_degree_of_freedom() -> None:
     k, ref = condition.coefficients, condition.reference
     expected = -k.Cl_da / k.Cl_p * 2.0 * ref.V / ref.b * 0.2618
     assert expected == pytest.approx(2.6163, rel=1e-3)
+
+
+def test_a_steady_slip_to_the_right_pushes_left_and_a_coordinated_turn_not_at_all(skyhawk: SmallPerturbation) -> None:
+    """n_y is the side force alone: Y / (m g) = Y_beta beta / g."""
+    ref = skyhawk.reference
+    slipping = PerturbationState(beta=5 * DEG, r=0.1, phi=0.3)
+    condition = load("A-4D").at("M0.4_SL")
+    Y_beta = condition.coefficients.Cy_beta * 0.5 * ref.rho * ref.V**2 * ref.S / ref.m
+    found = skyhawk.observe(slipping, skyhawk.trim(), CALM)
+    assert found.n_y == pytest.approx(Y_beta * 5 * DEG / ref.g)
+    assert found.n_y < 0.0
+    turning = PerturbationState(r=ref.g * 0.3 / ref.V, phi=0.3)
+    assert skyhawk.observe(turning, skyhawk.trim(), CALM).n_y == pytest.approx(0.0, abs=1e-12)
+
+
+def test_thrust_is_felt_forward_and_drag_backward(skyhawk: SmallPerturbation) -> None:
+    """n_x is thrust less drag alone: pitching up level changes gravity along the axis, not what is felt."""
+    ref = skyhawk.reference
+    more = skyhawk.trim()._replace(throttle=skyhawk.trim_throttle + 0.1)
+    assert skyhawk.observe(PerturbationState(), more, CALM).n_x == pytest.approx(0.1 * ref.T_max / (ref.m * ref.g))
+    assert skyhawk.observe(PerturbationState(theta=0.1), skyhawk.trim(), CALM).n_x == pytest.approx(0.0, abs=1e-12)
+    assert skyhawk.observe(PerturbationState(u=10.0), skyhawk.trim(), CALM).n_x < 0.0
+
+
+def test_a_drag_of_the_elevator_slows_down() -> None:
+    condition = load("A-4D").at("M0.4_SL")
+    k = condition.coefficients._replace(CD_de=0.5)
+    d = dimensional(k, condition.reference, "full")
+    ref = condition.reference
+    assert d.X_de == pytest.approx(-0.5 * 0.5 * ref.rho * ref.V**2 * ref.S / ref.m)

@@ -72,6 +72,8 @@ MISTAKES = [
     ),
     ([*A4D, "--out", "run.nc", "--units", "us"], ".nc files carry their units and are written in SI."),
     ([*A4D, "--initial", "bta=5deg"], "There is no state named 'bta'. Did you mean 'beta'?"),
+    ([*A4D, "--height", "-99999m"], "A flight cannot begin at -99,999 m: it can between -500 m and 86,000 m."),
+    ([*A4D, "--input", ""], "The input '' is incomplete."),
     ([*A4D, "--initial", "beta=5"], "The initial perturbation 'beta=5' has no unit. Write it like 'beta=5deg'"),
     ([*A4D, "--initial", "beta"], "The initial perturbation 'beta' is not understood. Write it like 'beta=5deg'."),
     ([*A4D, "--initial", "beta=5kt"], "'5kt' is in kt, which is not a unit of this quantity. Use one of: rad, deg"),

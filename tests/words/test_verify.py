@@ -90,7 +90,7 @@ def test_one_corrupted_number_of_the_paper_is_seen(tmp_path: Path, monkeypatch: 
     monkeypatch.setattr(paper, "sources", lambda: wrong)
     result = RUN.invoke(app, ["verify", "paper", "--out", str(tmp_path / "paper.html")])
     assert result.exit_code == 1
-    assert "FAILED euler 0.04 s, s per loop: 0.003164: table 5.1 gives 0.003884" in " ".join(result.stdout.split())
+    assert "0.003164 in table 5.2: table 5.1 by its loops gives 0.003884" in " ".join(result.stdout.split())
 
 
 def test_a_report_that_cannot_be_written_is_a_mistake() -> None:

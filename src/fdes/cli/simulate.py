@@ -174,7 +174,7 @@ def _summarize(response: "Recording", units: str) -> None:
         first, farthest, last = (number(float(v) * factor) for v in (signal[0], signal[k], signal[-1]))
         drawn.add_row(channel.name, unit, first, farthest, f"{time_of[k]:.2f}", last)
     if not drawn.row_count:
-        note("Nothing moved: the aircraft stays in trim. Put something in with --input 'step elevator -1deg at 1s'.")
+        note("Nothing moved: the aircraft stays in trim. Put in something that begins before the end, with --input.")
         return
     screen().print(drawn)
 

@@ -47,6 +47,7 @@ class Cabins:
         self.hub: Hub[Session] = Hub()
         self.fleet, self.recordings, self.record = fleet, recordings, record
         self.cabins: dict[str, Cabin] = {}
+        self.may_delete = True
         self._nobody = asyncio.Event()
         self._nobody.set()
         self._background: set[asyncio.Task[None]] = set()
@@ -110,7 +111,7 @@ class Cabins:
     def stick(self, cabin: Cabin, viewer: Viewer, given: wire.Input) -> None:
         """Take an input frame. Raises SpecError when it is not the pilot's."""
         if viewer is not cabin.pilot:
-            raise SpecError("You are observing: the pilot of this session has the stick.")
+            raise SpecError(_observing(cabin, "has the stick"))
         if cabin.session.put(given):
             self._later(cabin.session.start_recording)
 
@@ -119,7 +120,7 @@ class Cabins:
         if isinstance(command, wire.Ping):
             return {}
         if viewer is not cabin.pilot:
-            raise SpecError("You are observing: the pilot of this session gives the commands.")
+            raise SpecError(_observing(cabin, "gives the commands"))
         session = cabin.session
         match command:
             case wire.Record(True):
@@ -152,6 +153,8 @@ class Cabins:
         return self.fleet.craft(wanted.aircraft, wanted.condition, wanted.variant, flown)
 
     def _delete(self, name: str) -> None:
+        if not self.may_delete:
+            raise SpecError("This server is open to the network, where nobody may delete what others recorded.")
         path = self.recording(name)
         if any(name == cabin.session.recording_name() for cabin in self.cabins.values()):
             raise RecordingError(f"{name} is being recorded. End it first.")
@@ -248,6 +251,13 @@ class Cabins:
             "modes": {"type": "modes", "modes": shown.modes},
             "status": self.status(cabin),
         }
+
+
+def _observing(cabin: Cabin, does: str) -> str:
+    """Why an observer may not."""
+    if cabin.pilot is None:
+        return "The pilot has left this session: reload the page to take the stick."
+    return f"You are observing: the pilot of this session {does}."
 
 
 def _obey_at_once(session: Session, command: wire.Command) -> None:

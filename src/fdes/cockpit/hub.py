@@ -1,8 +1,8 @@
 """The hub: one thread that steps every session in real time, and hands what they show to the event loop.
 
-Ticks fall on absolute deadlines, so that errors of one sleep do not add up. A machine that falls behind is given at
-most `CATCH_UP` seconds to make good; what it owes beyond that is dropped, and counted as a slip: the simulation clock
-then runs slow, and says so. Sockets live in the event loop, in another thread: a crowd of page loads delays messages,
+Ticks fall on absolute deadlines, so that errors of one sleep do not add up. A machine that is up to `CATCH_UP` seconds
+behind makes good; one that is later has all it owes dropped, and counted as a slip: the simulation clock then runs
+slow, and says so. Sockets live in the event loop, in another thread: a crowd of page loads delays messages,
 never the flight. The loop is woken once per tick, however many sessions have something to show.
 """
 

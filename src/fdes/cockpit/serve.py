@@ -59,6 +59,8 @@ def serve(
     cabins = Cabins(fleet, recordings_folder(data), record=record)
     with listening(host, port) as listener:
         url = url_of(listener)
+        loopback = is_loopback(listener.getsockname()[0])
+        cabins.may_delete = loopback
 
         def ready() -> None:
             print(json.dumps({"url": url}) if json_line else greeting(listener), flush=True)  # noqa: T201  the one line a server prints
@@ -70,7 +72,7 @@ def serve(
         sys.setswitchinterval(SWITCH_INTERVAL)
         gc.set_threshold(*GARBAGE)
         config = uvicorn.Config(
-            application(cabins, loopback=is_loopback(listener.getsockname()[0])),
+            application(cabins, loopback=loopback),
             log_config=None,
             log_level="warning",
             access_log=False,

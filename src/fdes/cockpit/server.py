@@ -7,6 +7,7 @@ import time
 from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import replace
 from io import StringIO
+from math import isfinite, nan
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -123,7 +124,9 @@ class Site:
         try:
             seconds = float(request.query_params.get("seconds", 10.0))
         except ValueError:
-            raise HTTPException(400, "seconds must be a number.") from None
+            seconds = nan
+        if not isfinite(seconds):
+            raise HTTPException(400, "seconds must be a number.")
         return JSONResponse(figures(self._cabins, seconds))
 
     async def socket(self, websocket: WebSocket) -> None:

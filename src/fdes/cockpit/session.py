@@ -43,6 +43,7 @@ class Session:
         self._sent = 0  # the tick of the last frame
         self._led = False  # whether that was the first to fly an input
         self._flown_with = self._sortie.flown_with  # the input that was flown in the last tick
+        self._held = False  # whether it was a replay that froze the flight
         self._owed = 0.0  # s of flight that are due: a step may be longer than a tick
         self._phase = zlib.crc32(name.encode()) % RATE  # sessions take turns in telling how they stand
 
@@ -121,7 +122,7 @@ class Session:
             if self._replay is not None:
                 self._replay.resume()
             else:
-                self._flying().frozen = False
+                self._flying().frozen = self._held = False
             self._show = self.changed = True
 
     def step(self) -> None:
@@ -136,10 +137,11 @@ class Session:
             self._show = self.changed = True
 
     def reset(self) -> None:
-        """Back to undisturbed flight; out of a replay, or after the end of a flight, running."""
+        """Back to undisturbed flight; out of a replay, after one, or after the end of a flight, running."""
         with self._lock:
-            if self._replay is not None:
+            if self._replay is not None or self._held:
                 self._replay, self._sortie.frozen = None, self._sortie.ended
+            self._held = False
             if self._sortie.ended:
                 self._sortie = Sortie(self._sortie.craft, self._sortie.given.stick)
             else:
@@ -177,6 +179,7 @@ class Session:
         """Show a recording, of `craft` where that is known, and keep the flight frozen meanwhile."""
         with self._lock:
             self._replay, self._replayed = replay, craft or self._sortie.craft
+            self._held = not self._sortie.frozen  # by the replay, not by the pilot
             self._sortie.frozen = True
             self._show = self.changed = True
 

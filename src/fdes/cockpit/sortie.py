@@ -119,8 +119,8 @@ class Sortie:
             threading.Thread(target=recorder.close, args=(reason,), name=f"closing {recorder.path.name}").start()
 
     def _pilot(self, t: float) -> Stick:
-        self.flown_with = self.given
-        return self.given.stick
+        given = self.flown_with = self.given  # read once: another thread may give the next
+        return given.stick
 
     def _put_in(self, t: float) -> Surfaces:
         return self._inputs(t) if self._inputs.parts else NO_EXCITATION

@@ -28,7 +28,8 @@ class Excitation:
     @classmethod
     def parse(cls, texts: Iterable[str]) -> "Excitation":
         """Read descriptions; one text may hold several, separated by semicolons. Raises SpecError or NoSuchPart."""
-        return cls(tuple(_parse_one(one) for text in texts for one in text.split(";") if one.strip()))
+        said = [one for text in texts for one in text.rstrip("; ").split(";")]
+        return cls(tuple(_parse_one(one) for one in said))
 
     def later(self, t: float) -> "Excitation":
         """The same inputs, begun `t` [s] later."""

@@ -112,8 +112,10 @@ class Recorder:
                 self._flush()
             self._flush()
             self._file.write(chunk(b"DONE", json.dumps({**self._ending, "frames": self.frames}).encode()))
-        except OSError as trouble:  # a full disk: the flight goes on, and the cockpit shows why it is not recorded
-            self.trouble = f"{self.path.name} could not be written: {trouble.strerror or trouble}."
+        except (
+            Exception
+        ) as trouble:  # mostly a full disk: the flight goes on, and the cockpit shows why it is not recorded
+            self.trouble = f"{self.path.name} could not be written: {getattr(trouble, 'strerror', None) or trouble}."
         finally:
             self._file.close()
 

@@ -16,6 +16,7 @@ from fdes.physics.signals import Surfaces, channels
 from fdes.physics.small_perturbation import Limits, PerturbationState
 from fdes.units import parse
 
+LOWEST, HIGHEST = -500.0, 86000.0  # m: the Dead Sea, and the end of the standard atmosphere
 NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
 
 
@@ -41,6 +42,10 @@ def simulate(
     >>> bool(flight["p"][-1] > 0.0)
     True
     """
+    if height is not None and not LOWEST <= height <= HIGHEST:
+        raise SpecError(
+            f"A flight cannot begin at {height:,.0f} m: it can between {LOWEST:,.0f} m and {HIGHEST:,.0f} m."
+        )
     if not limits:
         condition = replace(condition, limits=NO_LIMITS)
     plant = plant_of(condition, form, integrator, clock.dt / clock.substeps)

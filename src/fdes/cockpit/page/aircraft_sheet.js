@@ -42,7 +42,7 @@ function facts(aircraft) {
 }
 
 const whole = (number) => Math.round(number).toLocaleString("en");
-const angle = (radians) => `${(radians / DEG).toFixed(0)}°`;
+const angle = (radians) => `${Number((radians / DEG).toFixed(1))}°`;
 
 function assumptions(assumed) {
   if (!assumed.length) return [];
@@ -56,7 +56,7 @@ function assumptions(assumed) {
           "li",
           {},
           html("span", { class: "tag" }, "ASSUMED"),
-          html("b", {}, `${name} = ${quantity(value, unit)}`),
+          html("b", {}, `${name.replaceAll("_", " ")}: ${quantity(value, unit)}`),
           html("p", {}, reason),
         ),
       ),
@@ -65,7 +65,7 @@ function assumptions(assumed) {
 }
 
 function quantity(value, unit) {
-  const number = typeof value === "number" ? figure(value, 4) : JSON.stringify(value).replaceAll('"', "");
+  const number = typeof value === "number" ? String(value) : JSON.stringify(value).replaceAll('"', "");
   return unit && unit !== "1" ? `${number} ${unit}` : number;
 }
 

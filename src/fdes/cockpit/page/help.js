@@ -17,7 +17,8 @@ const STICK = [
 const ADVICE = [
   "Tap rather than hold: the stick travels while a key is down and centers by itself.",
   "The circle with wings in the display is the flight-path marker: the aircraft goes where it points.",
-  "To turn, bank with → and hold the nose up with a little ↓. Bank the other way to roll out.",
+  "To turn, bank with →; to roll out, bank the other way. The linear aircraft keeps its height in a turn by itself: " +
+    "a real one would need a little ↓.",
   "The aircraft is linear about its trim: beyond 15° the display says so, and it flies unlike the real one.",
   "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, right stick for the pedals.",
 ];

@@ -103,7 +103,10 @@ export function readouts(glass, state) {
 
 const speedText = ({ cas }) => String(Math.max(0, Math.round(knots(cas))));
 const altitudeText = ({ h }) => String(Math.round(feet(h) / 10) * 10);
-const climbText = ({ h_dot }) => `${h_dot < 0 ? "-" : "+"}${Math.abs(Math.round(feetPerMinute(h_dot) / 10) * 10)}`;
+const climbText = ({ h_dot }) => {
+  const climb = Math.round(feetPerMinute(h_dot) / 10) * 10; // the sign of what is shown: no "-0"
+  return `${climb < 0 ? "-" : climb > 0 ? "+" : ""}${Math.abs(climb)}`;
+};
 
 /** A vertical moving scale at `x`, `half` its height; `side` -1 has its ticks on the left. */
 function scale({ ink, cy, k, letter }, x, side, value, half, { span, minor, major, label }) {

@@ -73,8 +73,8 @@ export class RecordingsPanel {
               },
               "FDES",
             ),
-            html("a", { class: "button", href: `${file}.nc`, download: `${recording.name}.nc`, title: "NetCDF" }, "NC"),
-            html("a", { class: "button", href: `${file}.mat`, download: `${recording.name}.mat`, title: "MATLAB" }, "MAT"),
+            html("a", { class: "button", href: `${file}.nc`, download: `${recording.name}.nc`, title: "Labeled data, for xarray and others", "aria-label": `Download ${what} as NetCDF` }, "NetCDF"),
+            html("a", { class: "button", href: `${file}.mat`, download: `${recording.name}.mat`, title: "Column vectors, for MATLAB", "aria-label": `Download ${what} for MATLAB` }, "MATLAB"),
             html(
               "button",
               { onclick: () => this.remove(recording, what), "aria-label": `Delete ${what}, ${when(recording.started)}` },

@@ -112,6 +112,9 @@ function freeSpot(px, py, wide, { x, width, height }, taken) {
     [px + 9, py - 6],
     [center, py - 19],
     [center, py + 28],
+    [center, py - 30],
+    [center, py + 39],
+    [center, py - 41],
   ];
   if (Math.abs(py - (PAD.top + height - PAD.bottom) / 2) < 1) spots.unshift(spots[2]); // not along the real axis
   const candidates = spots.map(([left, base]) => ({ x: left, y: base, box: [left, left + wide, base - 9, base + 2] }));

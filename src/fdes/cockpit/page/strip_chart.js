@@ -273,7 +273,7 @@ export class StripChart {
     context.fillStyle = colors.quiet;
     for (let t = Math.max(0, Math.ceil(from / 5) * 5); t <= now; t += 5) {
       const x = left + (t - from) * perSecond;
-      if (x > right - 44) continue;
+      if (x > right - 62) continue; // the newest time stands there
       context.textAlign = "center";
       context.fillText(`${t} s`, Math.max(left + 8, x), height - 9);
     }

@@ -49,6 +49,6 @@ export function minutes(seconds) {
 export function figure(value, digits = 3) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
-  const decimals = clamp(digits - 1 - Math.floor(Math.log10(Math.abs(value))), 0, digits + 1);
+  const decimals = clamp(digits - 1 - Math.floor(Math.log10(Math.abs(value))), 0, 9);
   return value.toFixed(decimals);
 }
