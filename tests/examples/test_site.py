@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from pydantic import BaseModel
@@ -23,7 +24,7 @@ LOADED = re.compile(
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("site")
-    run = subprocess.run(
+    run = subprocess.run(  # not --quiet: that would hide the warnings from --strict, too
         [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", folder],
         cwd=ROOT,
         env=os.environ | {"NO_MKDOCS_2_WARNING": "1"},
@@ -49,6 +50,18 @@ def test_every_command_is_in_the_reference(site: Path) -> None:
         for words in [f"{name} {sub}" for sub in getattr(command, "commands", ())] or [name]:
             assert f">fdes {words}<" in page
     assert "--integrator" in page
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").rglob("*.md")), ids=lambda page: page.stem)
+def test_every_command_in_the_text_exists(page: Path) -> None:
+    for words in re.findall(r"`fdes\s+([^`]+)`", page.read_text(encoding="utf-8")):
+        command: Any = get_command(app)
+        for word in words.split():
+            if word in getattr(command, "commands", {}):
+                command = command.commands[word]
+            elif word.startswith("--"):
+                assert any(word in parameter.opts for parameter in command.params) or word == "--version", words
+        assert command.name != "fdes" or words.startswith("--"), words
 
 
 def test_every_public_name_is_in_the_reference(site: Path) -> None:
