@@ -1,8 +1,7 @@
 """The guide and the page for lecturers do what they say: each is followed from top to bottom, as a reader would.
 
 Lines after `$` are run and lines after `>>>` executed, in one folder per page; what is shown below them must come out,
-`...` standing for what is left out. A block titled with a file's name is saved as that file; one titled "in FILE"
-changes the lines of the same keys.
+`...` standing for what is left out. A block titled with a file's name is saved as that file; a diff mends its lines.
 """
 
 import doctest
@@ -21,7 +20,9 @@ from fdes.shelf import shelf
 
 ROOT = Path(__file__).parents[2]
 PAGES = [*sorted((ROOT / "docs/guide").glob("*.md")), ROOT / "docs/class.md"]
-BLOCK = re.compile(r'^( *)```(console|pycon|python|toml)(?: title="([^"]+)")?\n(.*?)^ *```$', re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(
+    r'^( *)```(console|diff|pycon|python|toml)(?: title="([^"]+)")?\n(.*?)^ *```$', re.DOTALL | re.MULTILINE
+)
 LENIENT = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
@@ -84,18 +85,16 @@ def follow(text: str, names: dict[str, Any], page: str) -> None:
 
 
 def save(block: Block) -> None:
-    """Save a file, or change lines of it. A key without a value takes its line out."""
-    if not block.title.startswith("in "):
-        Path(block.title).write_text(block.text, encoding="utf-8")
+    """Save a file, or mend lines of it as a diff shows them."""
+    path = Path(block.title)
+    if block.language != "diff":
+        path.write_text(block.text, encoding="utf-8")
         return
-    path = Path(block.title.removeprefix("in "))
-    lines = path.read_text(encoding="utf-8").splitlines()
-    for line in block.text.splitlines():
-        key, value = (part.strip() for part in line.split("=", 1))
-        at = [i for i, old in enumerate(lines) if old.partition("=")[0].strip() == key]
-        where = at[0] if at else len(lines)
-        lines[where : where + len(at)] = [line] if value else []
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    signed = [(line[0], line[1:].strip()) for line in block.text.splitlines()]
+    old, new = ("\n".join(line for sign, line in signed if sign == which) for which in "-+")
+    text = path.read_text(encoding="utf-8")
+    assert text.count(f"\n{old}\n") == 1
+    path.write_text(text.replace(f"\n{old}\n", f"\n{new}\n"), encoding="utf-8")
 
 
 def test_every_input_shape_has_an_example_that_can_be_read() -> None:

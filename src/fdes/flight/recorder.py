@@ -112,9 +112,7 @@ class Recorder:
                 self._flush()
             self._flush()
             self._file.write(chunk(b"DONE", json.dumps({**self._ending, "frames": self.frames}).encode()))
-        except (
-            Exception
-        ) as trouble:  # mostly a full disk: the flight goes on, and the cockpit shows why it is not recorded
+        except Exception as trouble:  # noqa: BLE001  a full disk or worse: the flight goes on, and the cockpit says why
             self.trouble = f"{self.path.name} could not be written: {getattr(trouble, 'strerror', None) or trouble}."
         finally:
             self._file.close()
