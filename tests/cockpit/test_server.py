@@ -682,7 +682,7 @@ def test_a_killed_server_leaves_the_flight_but_for_its_last_second(serve: Callab
 def test_addresses_that_cannot_be_had_are_explained() -> None:
     with listening("127.0.0.1", 0) as taken:
         port = taken.getsockname()[1]
-        with pytest.raises(SpecError, match=rf"^Port {port} is in use\. Port \d+ is free: use --port\.$"):
+        with pytest.raises(SpecError, match=rf"^Port {port} is in use\. Use --port \d+, which is free\.$"):
             listening("127.0.0.1", port)
     with pytest.raises(SpecError, match=r"There is no host 'no\.such\.host\.invalid' here"):
         listening("no.such.host.invalid", 0)

@@ -125,17 +125,12 @@ def listening(host: str, port: int) -> socket.socket:
             f"There is no host {host!r} here. Use 127.0.0.1 for this machine, 0.0.0.0 for its whole network."
         ) from None
     except OSError as trouble:
-        why = {
-            errno.EADDRINUSE: f"Port {port} is in use.",
-            errno.EACCES: f"Port {port} is reserved for the system.",
-            errno.EADDRNOTAVAIL: f"{host} is not an address of this machine.",
-        }.get(trouble.errno or 0, f"{host}, port {port}, cannot be listened to: {trouble.strerror}.")
-        elsewhere = (
-            "Use --host 127.0.0.1"
-            if trouble.errno == errno.EADDRNOTAVAIL
-            else f"Port {free_port(host)} is free: use --port"
-        )
-        raise SpecError(f"{why} {elsewhere}.") from None
+        if trouble.errno == errno.EADDRNOTAVAIL:
+            raise SpecError(f"{host} is not an address of this machine. Use --host 127.0.0.1.") from None
+        taken = {errno.EADDRINUSE: "is in use", errno.EACCES: "is reserved for the system"}.get(trouble.errno or 0)
+        if port == 0 or taken is None:
+            raise SpecError(f"{host}, port {port}, cannot be listened to: {trouble.strerror}.") from None
+        raise SpecError(f"Port {port} {taken}. Use --port {free_port(host)}, which is free.") from None
 
 
 def free_port(host: str) -> int:
