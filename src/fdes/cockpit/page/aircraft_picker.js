@@ -66,7 +66,7 @@ export class AircraftPicker {
   }
 
   card(aircraft) {
-    const masses = [...new Set(aircraft.conditions.map(({ mass_kg }) => Math.round(mass_kg)))];
+    const masses = [...new Set(aircraft.conditions.map(({ mass_kg }) => mass_kg))];
     const heading = `aircraft-${aircraft.id.replace(/\W/g, "")}`;
     return html(
       "article",
@@ -77,7 +77,7 @@ export class AircraftPicker {
       html(
         "p",
         { class: "facts" },
-        masses.map((mass) => `${mass.toLocaleString("en")} kg`).join(" · "),
+        masses.map((mass) => `${Math.round(mass).toLocaleString("en")} kg`).join(" · "),
         html("small", {}, ` (${masses.map((mass) => Math.round(mass / POUND).toLocaleString("en")).join(", ")} lb)`),
       ),
       html(
