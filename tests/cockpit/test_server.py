@@ -328,7 +328,7 @@ def test_the_seat_of_a_pilot_who_left_is_for_the_next_to_come(served: Served) ->
         pilot.socket.close()
         hands_off = observer.frame(lambda f: f["stick_roll"] == 0.0)
         assert hands_off["stick_throttle"] == pytest.approx(0.7)
-        assert "observing" in observer.command("reset")["error"]
+        assert "The pilot has left this session" in observer.command("reset")["error"]
         with Client(served.url) as next_pilot:
             assert next_pilot.hello["role"] == "pilot"
             assert next_pilot.command("reset")["ok"]
