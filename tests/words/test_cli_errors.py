@@ -137,7 +137,7 @@ def test_a_port_in_use_that_was_asked_for_is_a_mistake() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
         answer = said("fly", "--no-browser", "--port", str(port))
-    assert f"Error: Port {port} is in use. Port " in answer
+    assert f"Error: Port {port} is in use. Use --port " in answer
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="Windows keeps permissions otherwise")
