@@ -27,6 +27,7 @@ COMMANDS = [
     ["aircraft", "show"],
     ["check"],
     ["settings"],
+    ["shelves"],
     ["verify", "textbooks"],
     ["verify", "paper"],
 ]
@@ -171,3 +172,10 @@ def test_what_dimensional_derivatives_cannot_say_is_said() -> None:
     shown = " ".join(run("aircraft", "show", "A-7A").stdout.split())
     assert "M_u 0.00201 1/(ft s) medium 0.006594 1/(m s)" in shown
     assert "The source gives dimensional derivatives in body axes" in shown
+
+
+def test_shelves_name_every_part() -> None:
+    text = run("shelves").stdout
+    assert fits(text)
+    for part in ("kutta_merson", "direct", "three_two_one_one"):
+        assert part in text

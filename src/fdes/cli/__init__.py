@@ -20,6 +20,7 @@ from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
 from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_file
+from fdes.cli.shelves import shelves
 from fdes.cli.simulate import simulate
 from fdes.cli.verify import app as verify
 from fdes.errors import FdesError
@@ -66,6 +67,7 @@ app.command(
 )(simulate)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)
+app.command(epilog="Example: fdes shelves --json")(shelves)
 app.add_typer(aircraft, name="aircraft")
 app.add_typer(verify, name="verify")
 
