@@ -5,10 +5,11 @@ with the same text. Physics never branches on a value that may be an array: it a
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from operator import mul
 from typing import Any
 
-__all__ = ["atan2", "cos", "each", "exp", "largest", "pow", "sin", "sqrt", "tan"]
+__all__ = ["atan2", "cos", "dot", "each", "exp", "largest", "pow", "sin", "sqrt", "tan"]
 
 exp, tan = math.exp, math.tan
 pow = math.pow  # noqa: A001  its name in every textbook
@@ -37,6 +38,11 @@ def atan2(y: Any, x: Any) -> Any:
 def largest(*values: Any) -> Any:
     """The largest of some values, frame by frame."""
     return max(values) if isinstance(values[0], float) else _numpy().maximum.reduce(values)
+
+
+def dot(a: Iterable[float], b: Iterable[float]) -> float:
+    """The sum of products of two rows of equal length."""
+    return sum(map(mul, a, b))
 
 
 def each(f: Callable[[float], float], x: Any) -> Any:

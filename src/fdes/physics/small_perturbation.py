@@ -5,10 +5,9 @@ honest to about 15 degrees from the reference condition (Mansor and Perumal, sec
 how far it is.
 """
 
-from operator import mul
 from typing import Annotated, NamedTuple
 
-from fdes.elementary import atan2, cos, each, largest, sin, sqrt
+from fdes.elementary import atan2, cos, dot, each, largest, sin, sqrt
 from fdes.physics.airdata import calibrated_airspeed, equivalent_airspeed, impact_pressure
 from fdes.physics.atmosphere import GAMMA_AIR
 from fdes.physics.derivatives import Matrices, Matrix, Reference
@@ -219,4 +218,4 @@ def _held(
 
 def _affine(Phi: Matrix, x: Vector, Gamma: Matrix, u: Vector) -> list[float]:
     """Phi x + Gamma u."""
-    return [sum(map(mul, row, x)) + sum(map(mul, gain, u)) for row, gain in zip(Phi, Gamma, strict=True)]
+    return [dot(row, x) + dot(gain, u) for row, gain in zip(Phi, Gamma, strict=True)]
