@@ -42,7 +42,8 @@ def largest(*values: Any) -> Any:
 
 def dot(a: Iterable[float], b: Iterable[float]) -> float:
     """The sum of products of two rows of equal length."""
-    return sum(map(mul, a, b))
+    total: float = sum(map(mul, a, b))
+    return total
 
 
 def each(f: Callable[[float], float], x: Any) -> Any:
