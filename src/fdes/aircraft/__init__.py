@@ -6,17 +6,20 @@ unlikely in it, `flight_condition` is what comes out: numbers in SI, ready to fl
 """
 
 from fdes.aircraft.check import Finding, check
+from fdes.aircraft.edit import Change, edited
 from fdes.aircraft.flight_condition import FlightCondition, Provenance
 from fdes.aircraft.load import Aircraft, Condition, catalogue, load, parse
 
 __all__ = [
     "Aircraft",
+    "Change",
     "Condition",
     "Finding",
     "FlightCondition",
     "Provenance",
     "catalogue",
     "check",
+    "edited",
     "load",
     "parse",
 ]

@@ -8,6 +8,7 @@ They make a linear plant and nothing else: A and B in stability axes. What a tab
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
@@ -149,6 +150,18 @@ class DimensionalDerivatives(Part):
             for of in ("beta", "p", "r", "da", "dr"):
                 d[f"L_{of}"], d[f"N_{of}"] = primed(d[f"L_{of}"], d[f"N_{of}"], ref.Ix, ref.Iz, ref.Ixz)
         return stability_axis_matrices(AxesDerivatives(**d), ref.V, ref.g, alpha, ref.gamma, ref.T_max / ref.m)
+
+
+@dataclass(frozen=True)
+class DimensionalTable:
+    """The derivatives of a file as they are used: their `value` in SI by name, and the `derivatives` that say how."""
+
+    derivatives: DimensionalDerivatives
+    value: Mapping[str, float]
+
+    def matrices(self, ref: Reference) -> Matrices:
+        """A and B in stability axes."""
+        return self.derivatives.matrices(self.value, ref)
 
 
 def _controls(value: Mapping[str, float], ref: Reference, by: Mapping[str, float]) -> dict[str, float]:

@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fdes.aircraft.check import waived_notes
-from fdes.aircraft.dimensional import DimensionalDerivatives
+from fdes.aircraft.dimensional import DimensionalDerivatives, DimensionalTable
 from fdes.aircraft.number import Confidence, Number, Part, Variant
 from fdes.aircraft.schema import AircraftFile, Assumed, Condition
 from fdes.errors import AircraftFileError, SpecError
@@ -14,6 +14,9 @@ from fdes.physics.derivatives import Coefficients, Form, Matrices, Reference, di
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.units import DEG, G0, si_unit
+
+if TYPE_CHECKING:
+    from fdes.aircraft.edit import Change
 
 AILERON = ("Cy_da", "Cl_da", "Cn_da", "Ystar_da", "L_da", "N_da")
 MAYBE_UNKNOWN = ("S", "b", "c", "Ix", "Iy", "Iz", "Ixz")  # where the derivatives are dimensional
@@ -46,7 +49,7 @@ class Provenance:
 class FlightCondition:
     """An aircraft in a flight condition, ready to become a plant. SI and radians.
 
-    aerodynamics: nondimensional derivatives; or, where the source gives dimensional ones, A and B made of them.
+    aerodynamics: nondimensional derivatives; or the table of dimensional ones, where the source gives those.
     reference: geometry and inertias that the source does not give, and the equations do not need, are 0.
     full_stick: surfaces, from trim, at full aft stick, full right stick, full right pedal and full throttle.
     trim_throttle: the share of `reference.T_max` that equals the drag.
@@ -55,13 +58,14 @@ class FlightCondition:
     assumed: what no source gives: ``{"value", "unit", "reason"}`` by name, in the unit it was chosen in.
     provenance: where each number of the file is from, by its name there.
     document: the whole content of the file.
+    changes: what was changed since (`fdes.aircraft.edit`); provenance and document are those of the unchanged aircraft.
     """
 
     aircraft_id: str
     aircraft_name: str
     condition: str
     variant: Variant
-    aerodynamics: Coefficients | Matrices
+    aerodynamics: Coefficients | DimensionalTable
     reference: Reference
     limits: Limits
     full_stick: Surfaces
@@ -71,6 +75,7 @@ class FlightCondition:
     assumed: Mapping[str, Mapping[str, Any]] = field(repr=False)
     provenance: Mapping[str, Provenance] = field(repr=False)
     document: Mapping[str, Any] = field(repr=False)
+    changes: "tuple[Change, ...]" = ()
 
     @property
     def nondimensional(self) -> bool:
@@ -97,7 +102,7 @@ class FlightCondition:
                 f"Form {form!r} does not apply to {self.aircraft_id} {self.condition}: it is made of nondimensional "
                 "derivatives, and this source gives dimensional ones. Use form 'full'."
             )
-        return self.aerodynamics
+        return self.aerodynamics.matrices(self.reference)
 
     @property
     def trim_alpha_uncertain(self) -> bool:
@@ -129,7 +134,9 @@ def flight_condition(
     full_stick = Surfaces(-si["full_stick_elevator"], si["full_stick_aileron"], -si["full_pedal_rudder"], throttle=1.0)
     if condition.dimensional:
         drag = si["drag"]
-        aerodynamics: Coefficients | Matrices = condition.dimensional.matrices(value, reference)
+        table = DimensionalTable(condition.dimensional, value)
+        table.matrices(reference)  # complains now, if it must
+        aerodynamics: Coefficients | DimensionalTable = table
     else:
         drag = value["CD"] * 0.5 * reference.rho * reference.V**2 * reference.S
         aerodynamics = Coefficients(**{name: value.get(name, 0.0) for name in Coefficients._fields})
