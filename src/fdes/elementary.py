@@ -1,38 +1,80 @@
-"""The one door through which physics reaches elementary functions, in two forms: floats, and whole columns of them.
+"""The one door through which physics reaches elementary functions: of floats, complex numbers, and columns of floats.
 
 A plant flies on floats. Where a flight is known in advance, its equations run over NumPy arrays, one number per frame,
-with the same text. Physics never branches on a value that may be an array: it asks `largest`, or for `each` number.
+with the same text; and they run on complex numbers, whose imaginary part then is a derivative. Physics never branches
+on a value that may be one of these: it asks `largest`, `where`, or for `each` number. Compiled, its functions are those
+of `fdes.lanes`.
 """
 
+import cmath
 import math
 from collections.abc import Callable, Iterable
 from operator import mul
 from typing import Any
 
-__all__ = ["atan2", "cos", "dot", "each", "exp", "largest", "pow", "sin", "sqrt", "tan"]
-
-exp, tan = math.exp, math.tan
-pow = math.pow  # noqa: A001  its name in every textbook
+__all__ = ["atan2", "cos", "dot", "each", "exp", "largest", "log", "pow", "sin", "sqrt", "tan", "where"]
 
 
 def sqrt(x: Any) -> Any:
     """The square root."""
-    return math.sqrt(x) if isinstance(x, float) else _numpy().sqrt(x)
+    if isinstance(x, float):
+        return math.sqrt(x)
+    return cmath.sqrt(x) if isinstance(x, complex) else _numpy().sqrt(x)
+
+
+def exp(x: Any) -> Any:
+    """e^x."""
+    if isinstance(x, float):
+        return math.exp(x)
+    return cmath.exp(x) if isinstance(x, complex) else _numpy().exp(x)
+
+
+def log(x: Any) -> Any:
+    """The natural logarithm."""
+    if isinstance(x, float):
+        return math.log(x)
+    return cmath.log(x) if isinstance(x, complex) else _numpy().log(x)
+
+
+def pow(x: Any, y: float) -> Any:  # noqa: A001  its name in every textbook
+    """x^y."""
+    return math.pow(x, y) if isinstance(x, float) else x**y
 
 
 def sin(x: Any) -> Any:
     """The sine of an angle [rad]."""
-    return math.sin(x) if isinstance(x, float) else _numpy().sin(x)
+    if isinstance(x, float):
+        return math.sin(x)
+    return cmath.sin(x) if isinstance(x, complex) else _numpy().sin(x)
 
 
 def cos(x: Any) -> Any:
     """The cosine of an angle [rad]."""
-    return math.cos(x) if isinstance(x, float) else _numpy().cos(x)
+    if isinstance(x, float):
+        return math.cos(x)
+    return cmath.cos(x) if isinstance(x, complex) else _numpy().cos(x)
+
+
+def tan(x: Any) -> Any:
+    """The tangent of an angle [rad]."""
+    if isinstance(x, float):
+        return math.tan(x)
+    return cmath.tan(x) if isinstance(x, complex) else _numpy().tan(x)
 
 
 def atan2(y: Any, x: Any) -> Any:
-    """The angle [rad] of the point (x, y), from -pi to pi."""
-    return math.atan2(y, x) if isinstance(y, float) else _numpy().arctan2(y, x)
+    """The angle [rad] of the point (x, y), from -pi to pi. Of complex numbers, as far as first derivatives go."""
+    if isinstance(y, float) and isinstance(x, float):
+        return math.atan2(y, x)
+    if isinstance(y, complex) or isinstance(x, complex):
+        a, b = y.real, x.real
+        return complex(math.atan2(a, b), (y.imag * b - x.imag * a) / (a * a + b * b))
+    return _numpy().arctan2(y, x)
+
+
+def where(test: Any, a: Any, b: Any) -> Any:
+    """`a` where the test holds, else `b`. Both are computed; test the real part of what may be complex."""
+    return (a if test else b) if isinstance(test, bool) else _numpy().where(test, a, b)
 
 
 def largest(*values: Any) -> Any:

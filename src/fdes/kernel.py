@@ -1,0 +1,244 @@
+"""The one door to numba: the plain text of physics, compiled for one aircraft or for a batch of them.
+
+Physics is written once, as scalar functions on named tuples, and runs as it stands. `compiled` makes the machine's
+form of a function and of everything it calls; `batch` makes a solver that takes many aircraft through a derivative, in
+lanes. numba is imported when one of them is first asked for, and never by `import fdes` or by the cockpit.
+
+With ``FDES_COMPILED=0`` in the environment `compiled` gives back the plain function.
+
+Compiled forms are kept on disk, under a hash of all sources of FDES and of numba's version: numba itself looks only at
+the file that a function stands in, and would go on using physics that has been edited since.
+"""
+
+import dis
+import hashlib
+import importlib
+import os
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from shutil import rmtree
+from types import CodeType, FunctionType, ModuleType
+from typing import Any, NamedTuple, TypeVar, get_type_hints
+
+from fdes.errors import SpecError
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+# Not `reassoc`, which would change published digits, nor `nnan` and `ninf`, with which isnan() is always false.
+FLOATING = {"contract", "arcp", "nsz"}
+LANES = 8  # of a block: one AVX-512 register each, two of AVX2; 16 and 32 are 5 % slower on a 14-state model
+KEPT = 4  # folders of compiled forms: of this FDES, and of the last that was edited or installed beside it
+
+
+def enabled() -> bool:
+    """Whether FDES may compile."""
+    return os.environ.get("FDES_COMPILED", "1") != "0"
+
+
+def compiled(f: F) -> F:
+    """`f` as machine code, for the types it is first called with; `f` itself where compiling is switched off."""
+    machine: F = _outer(f) if enabled() else f
+    return machine
+
+
+class Batch(NamedTuple):
+    """A compiled solver for many aircraft.
+
+    advance(x, held, numbers, h, steps) takes the columns of `x`, one aircraft each, `steps` steps of length `h` [s]
+    further in place. Rows are `states`, `inputs` and `parameters`, in that order; arrays are float64 and contiguous.
+    """
+
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+    advance: Callable[..., None]
+
+
+def batch(derivative: Callable[[Any, Any, Any], Any], tableau: Any, lanes: int = LANES) -> Batch:
+    """A solver for `derivative(x, held, numbers) -> dx/dt`, its arguments named tuples of floats, or of such tuples.
+
+    `tableau` is an explicit Runge-Kutta method. Nothing loops over aircraft but the innermost loop, which the compiler
+    turns into packed instructions. Raises SpecError where compiling is switched off.
+    """
+    if not enabled():
+        raise SpecError("A batch of aircraft needs compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
+    hints = get_type_hints(derivative)
+    hints.pop("return")
+    state, held, numbers = hints.values()
+    text = _solver_text(state, held, numbers, tableau, lanes)
+    solver = _module(text, {"derivative": _machine_form(derivative, inside=True), **_tuples(state, held, numbers)})
+    states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
+    return Batch(states, inputs, parameters, _njit(solver.advance, nogil=True))
+
+
+def _machine_form(f: Any, *, inside: bool) -> Any:
+    """numba's form of `f`, and of what it calls; `inside` another, it is inlined, so that lanes stay together."""
+    globals_ = dict(f.__globals__)
+    for name in _globals_of(f.__code__):
+        value = globals_.get(name)
+        if isinstance(value, FunctionType) or (callable(value) and _elementary(name, value)):
+            globals_[name] = _inner(_lane_form(name, value))
+    twin = FunctionType(f.__code__, globals_, f.__name__, f.__defaults__, f.__closure__)
+    twin.__module__, twin.__qualname__, twin.__kwdefaults__ = f.__module__, f.__qualname__, f.__kwdefaults__
+    return _njit(twin, forceinline=inside)
+
+
+@cache
+def _outer(f: Any) -> Any:
+    return _machine_form(f, inside=False)
+
+
+@cache
+def _inner(f: Any) -> Any:
+    return _machine_form(f, inside=True)
+
+
+def _lane_form(name: str, value: Any) -> Any:
+    """An elementary function compiles as its namesake in `fdes.lanes`."""
+    return getattr(importlib.import_module("fdes.lanes"), name) if _elementary(name, value) else value
+
+
+def _elementary(name: str, value: Any) -> bool:
+    return value is getattr(sys.modules.get("fdes.elementary"), name, None)
+
+
+def _globals_of(code: CodeType) -> set[str]:
+    """The names that a function looks up in its module; `co_names` has those of attributes too."""
+    return {i.argval for i in dis.get_instructions(code) if i.opname == "LOAD_GLOBAL"}
+
+
+def _njit(f: Any, **options: Any) -> Any:
+    """`numba.njit`, with the disk cache in a folder that belongs to these sources."""
+    import numba
+    from numba.core import config as _config
+
+    config: Any = _config  # its settings are made when it is imported, where a type checker cannot see them
+    machine = numba.njit(error_model="numpy", fastmath=FLOATING, **options)(f)
+    before, config.CACHE_DIR = config.CACHE_DIR, str(_cache_folder())
+    try:
+        machine.enable_caching()
+    finally:
+        config.CACHE_DIR = before
+    return machine
+
+
+@cache
+def _cache_folder() -> Path:
+    """Where compiled forms of exactly these sources are kept."""
+    import numba
+    from platformdirs import user_cache_path
+
+    digest = hashlib.sha256(f"{numba.__version__} {sys.version}".encode())
+    for source in sorted(Path(str(files("fdes"))).rglob("*.py")):
+        digest.update(source.read_bytes())
+    folder = user_cache_path("fdes") / f"compiled-{digest.hexdigest()[:16]}"
+    folder.mkdir(parents=True, exist_ok=True)
+    others = sorted(folder.parent.glob("compiled-*"), key=lambda f: f.stat().st_mtime, reverse=True)
+    for outdated in others[KEPT:]:
+        rmtree(outdated, ignore_errors=True)
+    return folder
+
+
+# The solver of a batch: its text is made for the fields of its tuples, for numba has no way to loop over them.
+
+
+def _solver_text(state: type, held: type, numbers: type, tableau: Any, lanes: int) -> str:
+    """One block of `lanes` aircraft after the other, all of its numbers in one scratch array `w`, row by row."""
+    counts = [len(list(_leaves(t))) for t in (state, held, numbers)]
+    n, m, p = counts
+    first = n + m + p  # rows: the state of a stage, what is held, the numbers, the state, and a slope for each stage
+    arguments = ", ".join(
+        _built(t, iter(range(start, first))) for t, start in ((state, 0), (held, n), (numbers, n + m))
+    )
+    return "\n".join([
+        "import numpy as np",
+        "",
+        "def advance(x, held, numbers, h, steps):",
+        f"    count, w = x.shape[1], np.empty({(first + n * (1 + len(tableau.b))) * lanes})",
+        f"    for start in range(0, count, {lanes}):",
+        *_copied_in("x", n, first, lanes),
+        *_copied_in("held", m, n, lanes),
+        *_copied_in("numbers", p, n + m, lanes),
+        "        for _ in range(steps):",
+        *[line for k in range(len(tableau.b)) for line in _stage(k, n, first, arguments, tableau, lanes)],
+        *_combined(tableau.b, n, first, first, lanes),
+        f"        for l in range(min({lanes}, count - start)):",
+        *[f"            x[{i}, start + l] = w[{(first + i) * lanes} + l]" for i in range(n)],
+        "",
+    ])  # fmt: skip
+
+
+def _copied_in(name: str, rows: int, to: int, lanes: int) -> list[str]:
+    """A block that is not full repeats the last aircraft."""
+    return [
+        f"        for l in range({lanes}):",
+        "            column = min(start + l, count - 1)",
+        *[f"            w[{(to + i) * lanes} + l] = {name}[{i}, column]" for i in range(rows)],
+    ]
+
+
+def _stage(k: int, n: int, first: int, arguments: str, tableau: Any, lanes: int) -> list[str]:
+    slope = first + n * (1 + k)
+    return [
+        *_combined(tableau.a[k], n, first, 0, lanes),
+        f"            for l in range({lanes}):",
+        f"                d = derivative({arguments.replace('#', str(lanes))})",
+        *[f"                w[{(slope + i) * lanes} + l] = d[{i}]" for i in range(n)],
+    ]
+
+
+def _combined(weights: tuple[float, ...], n: int, first: int, to: int, lanes: int) -> list[str]:
+    """Row `to` becomes the state plus h times the weighted slopes."""
+    used = [(j, a) for j, a in enumerate(weights) if a]
+    span = n * lanes
+    sum_ = " + ".join(f"{a!r} * w[{(first + n * (1 + j)) * lanes} + i]" for j, a in used)
+    moved = f" + h * ({sum_})" if used else ""
+    return [
+        f"            for i in range({span}):",
+        f"                w[{to * lanes} + i] = w[{first * lanes} + i]{moved}",
+    ]
+
+
+def _built(tuple_: type, rows: Iterator[int]) -> str:
+    """The text that makes a named tuple of one lane; # stands for the number of lanes."""
+    parts = [
+        _built(t, rows) if isinstance(t, type) and hasattr(t, "_fields") else f"w[{next(rows)} * # + l]"
+        for t in get_type_hints(tuple_).values()
+    ]
+    return f"{tuple_.__name__}({', '.join(parts)})"
+
+
+def _leaves(tuple_: type, prefix: str = "") -> Iterator[str]:
+    """The names of all floats in a named tuple and in the tuples within it."""
+    for name, t in get_type_hints(tuple_).items():
+        if isinstance(t, type) and hasattr(t, "_fields"):
+            yield from _leaves(t, f"{prefix}{name}.")
+        else:
+            yield prefix + name
+
+
+def _tuples(*found: type) -> dict[str, type]:
+    """The named tuples and those within them, by name."""
+    all_ = {t.__name__: t for t in found}
+    for t in found:
+        all_ |= _tuples(*[i for i in get_type_hints(t).values() if isinstance(i, type) and hasattr(i, "_fields")])
+    return all_
+
+
+def _module(text: str, given: dict[str, Any]) -> ModuleType:
+    """A module of that text, in a file named for its content, which is what numba's cache goes by."""
+    key = hashlib.sha256(text.encode()).hexdigest()[:16]
+    path = _cache_folder() / f"solver_{key}.py"
+    if not path.exists():
+        unfinished = path.with_suffix(f".{os.getpid()}")
+        unfinished.write_text(text, encoding="utf-8")
+        unfinished.replace(path)
+    name = f"fdes_solver_{key}"
+    module = ModuleType(name)
+    module.__dict__.update(given)
+    sys.modules[name] = module  # numba looks a cached function's module up by name
+    exec(compile(text, str(path), "exec"), module.__dict__)  # noqa: S102  text that was made above, of names of fields
+    return module
