@@ -23,7 +23,7 @@ from fdes.errors import FdesError
         ("h=90 km", "h would be 90000 m; it can be from -500 to 30000."),
         ("Ixz=60000 kg m^2", "no body has such inertias. Ixz squared must be less than Ix times Iz."),
         ("T_max=100 N", "level flight needs 8,224 N of thrust (CD = 0.03); there is none below 0 N and none above"),
-        ("CD=-0.1", "level flight needs -27,41 of thrust"),
+        ("CD=-0.1", "level flight needs -27,412 N of thrust"),
     ],
 )
 def test_change_that_cannot_be_made(change: str, words: str) -> None:
