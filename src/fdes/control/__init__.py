@@ -1,8 +1,8 @@
 """Control laws and linear systems.
 
 `law` is the contract between a pilot's stick, what is measured, and the surfaces; the shelf `laws` holds those that
-exist. `linear` holds a linear model with its names and units, and the exact zero-order hold. A law sees outputs and
-never an aircraft.
+exist, and `blocks` what they are made of. `linear` holds a linear model with its names and units, and the exact
+zero-order hold. A law sees outputs and never an aircraft.
 """
 
 from fdes.control.law import Law, Stick

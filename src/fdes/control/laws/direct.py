@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from fdes.control.law import Stick
+from fdes.control.law import Stick, proportional
+from fdes.control.linear import LinearModel
 from fdes.physics.signals import Outputs, Surfaces
 
 __all__ = ["Direct"]
@@ -22,3 +23,16 @@ class Direct:
         full = self.full_stick
         elevator, aileron, rudder = full.elevator * stick.pitch, full.aileron * stick.roll, full.rudder * stick.yaw
         return Surfaces(elevator, aileron, rudder, stick.throttle), None
+
+    def linear(self, dt: float | None = None) -> LinearModel:
+        """Four gains."""
+        full = self.full_stick
+        return proportional(
+            {
+                "elevator": ("stick_pitch", full.elevator),
+                "aileron": ("stick_roll", full.aileron),
+                "rudder": ("stick_yaw", full.rudder),
+                "throttle": ("stick_throttle", 1.0),
+            },
+            dt,
+        )
