@@ -1,6 +1,5 @@
 """Every input shape: zero before it starts, never larger than its amplitude, and spoken to in words."""
 
-from dataclasses import fields
 from typing import Any
 
 import pytest
@@ -15,7 +14,15 @@ TIMES = [0.01 * k for k in range(8000)]
 
 @pytest.fixture(params=NAMES)
 def shape(request: pytest.FixtureRequest) -> Any:
-    return shelf("inputs").get(request.param)
+    """The part; a time history is given as one that rises and falls within four seconds."""
+    part = shelf("inputs").get(request.param)
+    if not hasattr(part, "read"):
+        return part
+
+    def triangle(amplitude: float, at: float = 0.0) -> Any:
+        return part((7.0, 9.0, 11.0), (0.0, amplitude, 0.0), at=at)
+
+    return triangle
 
 
 def test_zero_before_it_starts_and_bounded_by_its_amplitude(shape: Any) -> None:
@@ -25,13 +32,32 @@ def test_zero_before_it_starts_and_bounded_by_its_amplitude(shape: Any) -> None:
     assert 0.09 < max(abs(v) for v in values) <= 0.1
 
 
-def test_an_input_that_lasts_ends_at_zero_but_for_step_and_ramp(shape: Any) -> None:
-    if "lasting" not in [f.name for f in fields(shape)] or shape.__name__ == "Ramp":
+STAY = ("step", "ramp", "one_minus_cosine")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_input_that_lasts_ends_at_zero_but_for_those_that_stay(name: str) -> None:
+    shape = shelf("inputs").get(name)
+    if name in STAY:
         assert shape(0.1)(1e6) == 0.1
         return
-    put = shape(0.1, at=1.0, lasting=4.0)
-    assert put(5.0) == 0.0
+    put = shape((0.0, 2.0, 4.0), (0.0, 0.1, 0.05), at=1.0) if name == "measured" else shape(0.1, at=1.0, lasting=4.0)
+    assert put(5.001) == 0.0
     assert any(put(t) for t in TIMES)
+
+
+def test_both_cosine_gusts_are_smooth_and_pass_their_middle() -> None:
+    up, there_and_back = (
+        shelf("inputs").get(f"one_minus_cosine{more}")(2.0, at=1.0, lasting=4.0) for more in ("", "_pulse")
+    )
+    assert [round(up(t), 12) for t in (1.0, 2.0, 3.0, 5.0, 9.0)] == [
+        0.0,
+        pytest.approx(0.292893, abs=1e-6),
+        1.0,
+        2.0,
+        2.0,
+    ]
+    assert [round(there_and_back(t), 12) for t in (1.0, 2.0, 3.0, 4.0, 5.0, 9.0)] == [0.0, 1.0, 2.0, 1.0, 0.0, 0.0]
 
 
 def test_equal_values_make_equal_inputs(shape: Any) -> None:

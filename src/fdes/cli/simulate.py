@@ -32,7 +32,10 @@ def simulate(
     inputs: Annotated[
         list[str] | None,
         typer.Option(
-            "--input", "-i", metavar="TEXT", help="A test input such as 'step aileron 15deg at 0s'. Repeatable."
+            "--input",
+            "-i",
+            metavar="TEXT",
+            help="An input such as 'step aileron 15deg at 0s' or 'step gust_w -5m/s'. Repeatable.",
         ),
     ] = None,
     initial: Annotated[

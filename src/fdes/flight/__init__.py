@@ -5,7 +5,7 @@ and `recording` write and read the flight.
 """
 
 from fdes.control import Stick
-from fdes.flight.excitation import Excitation
+from fdes.flight.excitation import Excitation, GustyAir
 from fdes.flight.pilot import HandsOff, SameStick
 from fdes.flight.plants import integrator_names, plant_of
 from fdes.flight.recorder import Recorder
@@ -19,6 +19,7 @@ __all__ = [
     "Edit",
     "Excitation",
     "Frame",
+    "GustyAir",
     "HandsOff",
     "Recorder",
     "Recording",

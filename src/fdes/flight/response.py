@@ -31,7 +31,7 @@ def simulate(
     height: float | None = None,
     limits: bool = False,
 ) -> Recording:
-    """Fly `condition` from trim, hands off, with `inputs` such as ``step aileron 15deg at 0s`` on its surfaces.
+    """Fly `condition` from trim, hands off, with `inputs` such as ``step aileron 15deg at 0s``, ``step gust_w -5m/s``.
 
     `initial` disturbs states at the start: ``beta=5deg``, ``u=+10kt``. `height` [m] is where the flight starts, else
     the condition's. Surfaces go as far as they are asked unless `limits` stops them at what is assumed of them.
@@ -51,7 +51,7 @@ def simulate(
     plant = plant_of(condition, form, integrator, clock.dt / clock.substeps)
     start = disturbed(plant.start(height), initial)
     throttle = Stick(throttle=condition.trim_throttle)
-    return trajectory(plant, start, clock, throttle, Excitation.parse(inputs))
+    return trajectory(plant, start, clock, throttle, Excitation.parse(inputs, files=True))
 
 
 def disturbed(state: PerturbationState, initial: Iterable[str]) -> PerturbationState:

@@ -4,12 +4,14 @@ With its commands scheduled, a fixed-step method on linear equations is x_next =
 function of hA. `fly` defines the flight; one test holds the two together on all integrators and forms.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from fdes.control import Stick
 from fdes.errors import Departed
-from fdes.flight.excitation import Excitation
+from fdes.flight.excitation import Excitation, Gusts, blown
 from fdes.flight.recorder import columns_of
 from fdes.flight.recording import Recording
 from fdes.flight.simulation import BOUND, Clock
@@ -39,17 +41,21 @@ def trajectory(
     air: Air | None = None,
 ) -> Recording:
     """The recording of a flight of `clock.duration` from `start`: the stick still, the surfaces at trim but for
-    `excitation`, the throttle where the stick has it. Raises Departed when a state leaves what numbers can hold.
+    `excitation`, the throttle where the stick has it; its gusts come on top of a steady `air`. Raises Departed when a
+    state leaves what numbers can hold.
     """
-    air = air or Air()
     times = np.array(list(clock))
+    gusts = Gusts(*np.array(excitation.gusts_over(times.tolist())))
+    air = _each(blown(air or Air(), gusts, plant.reference.V), lambda part: np.broadcast_to(part, times.shape))
     added = np.array(excitation.over(times.tolist())).T
     commands = added + np.array(Surfaces(throttle=stick.throttle))
     held = np.vstack([[plant.trim()], commands[:-1]])
     limited = np.clip(commands, plant.limits.lower, plant.limits.upper)
     every = clock.substeps
     inner = np.repeat(limited, every, axis=0)
-    x = _states(plant, start, inner, air, clock.dt / every)[::every][: len(times)]
+    x = _states(plant, start, inner, _each(air, lambda part: np.repeat(part, every)), clock.dt / every)[::every][
+        : len(times)
+    ]
     _must_be_finite(x, times)
     feel = Surfaces(*np.clip(held, plant.limits.lower, plant.limits.upper).T)
     shown = observe(plant, PerturbationState(*x.T), feel, air)
@@ -61,13 +67,13 @@ def trajectory(
 
 def _states(plant: SmallPerturbation, start: PerturbationState, commands: Array, air: Air, h: float) -> Array:
     """The state at the start of every step of length `h`, shape (steps, 12)."""
-    R, S, c = _recursion(plant, air, h)
-    pushed = (commands - plant.trim()) @ S.T + c
+    R, S, G = _recursion(plant, h)
+    pushed = (commands - plant.trim()) @ S.T + np.array(air).T @ G.T
     x = np.empty((len(commands), len(NOWHERE)))
     x[0] = start
     with np.errstate(over="ignore", invalid="ignore"):  # a flight that departs is found afterwards
         x[:, :LINEAR] = _recur(R, np.vstack([x[0, :LINEAR], pushed[:-1]]))
-        moved = _displacements(plant, x[:-1], commands[:-1], air, h)
+        moved = _displacements(plant, x[:-1], commands[:-1], _each(air, lambda part: part[:-1]), h)
         x[1:, LINEAR:] = x[0, LINEAR:] + np.cumsum(moved, axis=0)
     return x
 
@@ -94,8 +100,13 @@ def _row_by_row(R: Array, given: Array) -> Array:
     return x
 
 
-def _recursion(plant: SmallPerturbation, air: Air, h: float) -> tuple[Array, Array, Array]:
-    """R, S and what the gust adds, found by asking one step of the plant about one state or surface at a time."""
+def _each(air: Air, change: Callable[[Array], Array]) -> Air:
+    """The columns of `air`, changed in the same way."""
+    return Air(*map(change, air))  # type: ignore[arg-type]  # whole columns
+
+
+def _recursion(plant: SmallPerturbation, h: float) -> tuple[Array, Array, Array]:
+    """R, S and G: what one step makes of states, surfaces and air, asked of the plant about one of them at a time."""
 
     def after(x: PerturbationState, held: Surfaces, blown: Air) -> Array:
         return np.array(advance(plant, x, held, blown, h, 1)[:LINEAR])
@@ -103,7 +114,8 @@ def _recursion(plant: SmallPerturbation, air: Air, h: float) -> tuple[Array, Arr
     trim, calm = plant.trim(), Air()
     R = [after(NOWHERE._replace(**{name: 1.0}), trim, calm) for name in NOWHERE._fields[:LINEAR]]
     S = [after(NOWHERE, trim._replace(**{n: v + 1.0}), calm) for n, v in trim._asdict().items()]
-    return np.column_stack(R), np.column_stack(S), after(NOWHERE, trim, air)
+    G = [after(NOWHERE, trim, calm._replace(**{name: 1.0})) for name in Air._fields]
+    return np.column_stack(R), np.column_stack(S), np.column_stack(G)
 
 
 def _displacements(plant: SmallPerturbation, x: Array, commands: Array, air: Air, h: float) -> Array:
@@ -117,7 +129,8 @@ def _displacements(plant: SmallPerturbation, x: Array, commands: Array, air: Air
     method = plant.integrator
     if isinstance(method, ExactHold):
         then = np.vstack([x[1:], x[-1:]])
-        then[-1, :LINEAR] = advance(plant, PerturbationState(*x[-1]), Surfaces(*commands[-1]), air, h, 1)[:LINEAR]
+        last = _each(air, lambda part: part[-1])
+        then[-1, :LINEAR] = advance(plant, PerturbationState(*x[-1]), Surfaces(*commands[-1]), last, h, 1)[:LINEAR]
         return 0.5 * h * (slope(x) + slope(then))[:, LINEAR:]
     slopes: list[Array] = []
     for row in method.a:
