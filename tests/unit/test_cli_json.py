@@ -30,7 +30,7 @@ def console(command: str, *words: str) -> Any:
 
 def test_modes_say_first_of_what_they_are(fdes_command: str) -> None:
     said = console(fdes_command, "modes", *NAVION)
-    assert list(said) == [*ABOUT, "modes"]
+    assert list(said) == [*ABOUT, "modes", "approximations", "static", "without_coefficients"]
     assert {key: said[key] for key in ABOUT} == ABOUT
 
 

@@ -81,15 +81,29 @@ def test_modes_of_the_navion_can_be_laid_beside_the_book() -> None:
     text = run("modes", "NAVION", "--form", "nelson", "--variant", "printed").stdout
     rows = [" ".join(line.split()) for line in text.splitlines()]
     assert rows[0] == "Ryan NAVION, M0.158_SL: printed values, form nelson"
-    assert "phugoid -0.01711 ± 0.2130i 0.214 0.0800 58.5 40.5 half 29.5" in rows
+    assert "phugoid -0.01711 ± 0.2130i 0.214 0.0800 58.5 40.5 29.5 1.37" in rows
     assert rows.index("Longitudinal") < rows.index("Lateral")
 
 
 def test_an_unstable_mode_says_when_it_doubles() -> None:
     text = run("modes", "F-104A").stdout
-    (spiral,) = [line.split() for line in text.splitlines() if line.startswith(" spiral")]
-    assert spiral[-1] == "double"
+    spiral = next(line.split() for line in text.splitlines() if line.startswith(" spiral"))
+    assert spiral[-1] == "x2"
     assert spiral[3] == "-1.00"
+
+
+def test_an_approximation_stands_beside_its_mode_with_its_error() -> None:
+    rows = [" ".join(line.split()) for line in run("modes", "NAVION").stdout.splitlines()]
+    assert "phugoid -0.02252 ± 0.2590i 0.260 +21 % 0.0866 +11 %" in rows
+    assert "steady roll rate 3.44 deg/s per degree of aileron, rolling alone" in rows
+
+
+def test_an_approximation_without_a_partner_and_an_aircraft_without_coefficients_say_so() -> None:
+    text = run("modes", "F-104A", "--condition", "M1.8_55kft").stdout
+    assert "phugoid: no exact mode to compare with: split into two real roots." in text
+    text = " ".join(run("modes", "NT-33A", "--condition", "FC1_dimensional").stdout.split())
+    assert "The source gives dimensional derivatives. The approximations," in text
+    assert "approximations, and how far" not in text
 
 
 def test_what_is_assumed_is_marked() -> None:

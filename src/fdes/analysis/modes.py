@@ -1,42 +1,18 @@
-"""Natural modes: eigenvalues, named by which states take part in them.
+"""Natural modes: eigenvalues, named by which states take part in them, and what follows from them.
 
-Naming by size or by order fails as soon as a derivative is edited: with Cm_alpha > 0 the short period splits into two
-real roots, and one of them joins a phugoid root in a new oscillation. So each root is given to the family of modes
-whose states take most part in it, by participation factors, which do not depend on the units of the states.
-
-Reference: I. J. Perez-Arriaga, G. C. Verghese, F. C. Schweppe, IEEE Trans. Power Apparatus and Systems PAS-101 (1982)
-3117-3125, for participation factors; Etkin and Reid, Dynamics of Flight, 3rd ed., sections 6.2 and 6.8, for the modes.
+How a root gets its name is told in `mode_names`.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from itertools import permutations
-from typing import Any, Literal
-
-import numpy as np
+from typing import Any
 
 from fdes.aircraft import FlightCondition
 from fdes.analysis.linearize import linear_model
+from fdes.analysis.mode_names import Axis, NamedRoot, named_roots
 from fdes.control import LinearModel
 from fdes.physics.derivatives import Form
-
-Axis = Literal["longitudinal", "lateral"]
-
-# The families of each axis, and the states they live in. A family has as many roots as states.
-FAMILIES: dict[Axis, dict[str, tuple[str, ...]]] = {
-    "longitudinal": {"short_period": ("w", "q"), "phugoid": ("u", "theta")},
-    "lateral": {"roll": ("p",), "dutch_roll": ("beta", "r"), "spiral": ("phi",)},
-}
-# The share of its states that a family must have in an oscillation to call it its own. The phugoid and the short period
-# hardly mix before they merge; roll rate takes part in every Dutch roll.
-OWN: dict[Axis, float] = {"longitudinal": 0.75, "lateral": 0.5}
-# What an oscillation is called when its two roots come from two families.
-MERGED = {
-    frozenset({"short_period", "phugoid"}): "third_oscillatory",
-    frozenset({"roll", "spiral"}): "roll_spiral",
-    frozenset({"roll", "dutch_roll"}): "roll_dutch_roll",
-    frozenset({"spiral", "dutch_roll"}): "spiral_dutch_roll",
-}
 
 
 @dataclass(frozen=True)
@@ -63,9 +39,23 @@ class Mode:
         """Whether the mode is a complex pair."""
         return self.eigenvalue.imag > 0.0
 
+    @property
+    def cycles_to_half(self) -> float | None:
+        """How many periods until half the amplitude is left; None where it does not swing or does not decay."""
+        return self.time_to_half / self.period if self.time_to_half and self.period else None
+
+    @property
+    def cycles_to_double(self) -> float | None:
+        """How many periods until the amplitude has doubled; None where it does not swing or does not grow."""
+        return self.time_to_double / self.period if self.time_to_double and self.period else None
+
     def as_dict(self) -> dict[str, Any]:
         """The mode as JSON has it: the eigenvalue is ``[real, imaginary]``."""
-        return asdict(self) | {"eigenvalue": [self.eigenvalue.real, self.eigenvalue.imag]}
+        return asdict(self) | {
+            "eigenvalue": [self.eigenvalue.real, self.eigenvalue.imag],
+            "cycles_to_half": self.cycles_to_half,
+            "cycles_to_double": self.cycles_to_double,
+        }
 
     def _repr_html_(self) -> str:
         """The mode as a table, for notebooks."""
@@ -78,90 +68,72 @@ class Mode:
         for name in ("time_constant", "time_to_half", "time_to_double", "period"):
             seconds = getattr(self, name)
             rows += [] if seconds is None else [(name, f"{seconds:.4g}", "s")]
+        for name in ("cycles_to_half", "cycles_to_double"):
+            cycles = getattr(self, name)
+            rows += [] if cycles is None else [(name, f"{cycles:.3g}", "")]
         share = ", ".join(f"{state} {part:.0%}" for state, part in self.participation.items())
         body = "".join(f"<tr><th>{name}</th><td>{value} {unit}</td></tr>" for name, value, unit in rows)
         caption = f"{self.name.replace('_', ' ')}, {self.axis}: {share}"
         return f"<table><caption>{caption}</caption>{body}</table>"
 
 
-def modes(of: LinearModel | FlightCondition, form: Form = "full") -> list[Mode]:
+# The columns of a table of modes: head, unit, and how a mode fills it.
+COLUMNS: tuple[tuple[str, str, Callable[[Mode], str]], ...] = (
+    ("mode", "", lambda m: m.name.replace("_", " ")),
+    ("eigenvalue", "rad/s", lambda m: f"{m.eigenvalue.real:.4g}" + f" \u00b1 {m.eigenvalue.imag:.4g}i" * m.oscillatory),
+    ("omega_n", "rad/s", lambda m: _or_nothing(m.omega_n)),
+    ("zeta", "", lambda m: _or_nothing(m.zeta)),
+    ("time constant", "s", lambda m: _or_nothing(m.time_constant)),
+    ("to half", "s", lambda m: _or_nothing(m.time_to_half)),
+    ("to double", "s", lambda m: _or_nothing(m.time_to_double)),
+    ("period", "s", lambda m: _or_nothing(m.period)),
+    ("cycles to half", "", lambda m: _or_nothing(m.cycles_to_half)),
+)
+
+
+def _or_nothing(value: float | None) -> str:
+    return "" if value is None else f"{value:#.3g}".rstrip(".")
+
+
+class ModeList(list[Mode]):
+    """Modes, shown as a table. Everything else about it is a list."""
+
+    def __repr__(self) -> str:
+        """The table in plain text; columns that no mode fills are left out."""
+        rows = self._rows()
+        wide = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        return "\n".join(
+            "  ".join(
+                cell.rjust(n) if k else cell.ljust(n) for k, (cell, n) in enumerate(zip(row, wide, strict=True))
+            ).rstrip()
+            for row in rows
+        )
+
+    def _repr_html_(self) -> str:
+        """The table for notebooks."""
+        head, *body = ("".join(f"<t{{0}}>{cell}</t{{0}}>" for cell in row) for row in self._rows())
+        rows = "".join(f"<tr>{row.format('d')}</tr>" for row in body)
+        return f"<table><thead><tr>{head.format('h')}</tr></thead><tbody>{rows}</tbody></table>"
+
+    def _rows(self) -> list[list[str]]:
+        filled = [(head, unit, fill) for head, unit, fill in COLUMNS if any(map(fill, self)) or head == "mode"]
+        heads = [f"{head} [{unit}]" if unit else head for head, unit, _ in filled]
+        return [heads, *[[fill(mode) for _, _, fill in filled] for mode in self]]
+
+
+def modes(of: LinearModel | FlightCondition, form: Form = "full") -> ModeList:
     """The modes of a linear model, or of an aircraft in a flight condition in the given form of its equations.
 
     Longitudinal modes come first; within an axis the fastest first. Heading, position and height are integrals of the
-    states and no modes.
+    states and no modes. What a law, an actuator or a sensor remembers adds modes, named after it. The roots z of a sampled
+    model are shown as ln(z) / dt.
     """
     model = of if isinstance(of, LinearModel) else linear_model(of, form)
-    return [*_axis_modes("longitudinal", model.longitudinal()), *_axis_modes("lateral", model.lateral())]
+    return ModeList(_mode(named) for named in named_roots(model))
 
 
-@dataclass(frozen=True)
-class _Root:
-    """An eigenvalue with nonnegative imaginary part, and the share of each state in it."""
-
-    value: complex
-    shares: dict[str, float]
-
-
-def _axis_modes(axis: Axis, model: LinearModel) -> list[Mode]:
-    roots = _roots(model)
-    families = FAMILIES[axis]
-    places = [family for family, states in families.items() for _ in states]
-
-    def share(family: str, root: _Root) -> float:
-        return sum(root.shares[s] for s in families[family])
-
-    def most_of_its_own(root: _Root) -> float:
-        return max(share(f, root) for f, states in families.items() if len(states) == 2)
-
-    named: list[tuple[str, _Root]] = []
-    for pair in sorted((r for r in roots if r.value.imag > 0.0), key=most_of_its_own, reverse=True):
-        first, *others = sorted(dict.fromkeys(places), key=lambda f: share(f, pair), reverse=True)
-        own = places.count(first) == 2 and (not others or share(first, pair) >= OWN[axis])
-        taken = (first, first) if own else (first, others[0])
-        named.append((first if own else MERGED[frozenset(taken)], pair))
-        for family in taken:
-            places.remove(family)
-    reals = [r for r in roots if r.value.imag == 0.0]
-    best = max(permutations(reals), key=lambda order: sum(map(share, places, order)))
-    named += _real_modes(list(zip(places, best, strict=True)))
-    return [_mode(name, axis, root) for name, root in sorted(named, key=lambda n: -abs(n[1].value))]
-
-
-def _roots(model: LinearModel) -> list[_Root]:
-    values, right = np.linalg.eig(model.A)
-    try:
-        left = np.linalg.inv(right)
-    except np.linalg.LinAlgError:
-        # A repeated root has too few eigenvectors: who takes part is then read from the right ones alone.
-        left = right.conj().T
-    weights = np.abs(right * left.T)
-    weights /= weights.sum(axis=0)
-    return [
-        _Root(complex(v), {state: float(w) for state, w in zip(model.states, column, strict=True)})
-        for v, column in zip(values, weights.T, strict=True)
-        if v.imag >= 0.0
-    ]
-
-
-def _real_modes(by_family: list[tuple[str, _Root]]) -> list[tuple[str, _Root]]:
-    """The real roots by name. Those of an oscillation that has split are its faster and its slower half; where only one
-    half is real, the other has merged elsewhere: the short period leaves its faster half, the phugoid its slower.
-    """
-    reals = sorted(by_family, key=lambda n: -abs(n[1].value))
-    families = [family for family, _ in reals]
-    named = []
-    for i, (family, root) in enumerate(reals):
-        if family in {"roll", "spiral"}:
-            named.append((family, root))
-        elif families.count(family) == 2:
-            named.append((f"{family}_{'fast' if family in families[i + 1 :] else 'slow'}", root))
-        else:
-            named.append((f"{family}_{'slow' if family == 'phugoid' else 'fast'}", root))
-    return named
-
-
-def _mode(name: str, axis: Axis, root: _Root) -> Mode:
-    value = root.value
+def _mode(named: NamedRoot) -> Mode:
+    name, axis, (value, shares, _) = named
     sigma, omega = value.real, value.imag
     omega_n = abs(value)
     of_a_real_root = 1.0 if sigma < 0.0 else -1.0
@@ -175,5 +147,5 @@ def _mode(name: str, axis: Axis, root: _Root) -> Mode:
         time_to_half=-math.log(2.0) / sigma if sigma < 0.0 else None,
         time_to_double=math.log(2.0) / sigma if sigma > 0.0 else None,
         period=2.0 * math.pi / omega if omega > 0.0 else None,
-        participation=root.shares,
+        participation=shares,
     )

@@ -26,6 +26,10 @@ FormName = Annotated[
     ),
 ]
 IntegratorName = Annotated[str, typer.Option(metavar="NAME", help="exact, rk4, dopri5, kutta_merson, heun or euler.")]
+PlotFile = Annotated[
+    str | None,
+    typer.Option("--plot", metavar="FILE", help="Draw it too: .png, .svg, or .html to zoom and point at."),
+]
 FLAG = ""  # a switch takes no value; Typer would show one
 
 AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
