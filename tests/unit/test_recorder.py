@@ -130,7 +130,7 @@ def test_says_why_a_file_cannot_be_read(recorded: tuple[Path, list[Frame]], tmp_
     with pytest.raises(RecordingError, match="cannot be read: No such file"):
         open_recording(tmp_path / "none.fdes")
     whole = path.read_bytes()
-    header = json.loads(whole[whole.index(b"{") : whole.index(b"ROWS")])
+    header = json.loads(whole[whole.index(b'{"format"') : whole.index(b"ROWS")])
     later = json.dumps(header | {"format": 99, "fdes": "9.0"}).encode()
     (tmp_path / "new.fdes").write_bytes(MAGIC + chunk(b"HEAD", later))
     with pytest.raises(RecordingError, match=r"has format 99 and was written by FDES 9\.0; this FDES reads format 1"):

@@ -4,9 +4,9 @@ The file is the eight bytes ``FDESREC\\n`` and then chunks, each
 
     4 bytes kind · u32 length of the payload · u32 CRC-32 of the payload · payload        (little-endian)
 
-    HEAD   JSON: format version, FDES version, aircraft, condition, equations, integrator, step, columns with units
+    HEAD   JSON: format version, FDES version, engine, aircraft, condition, equations, integrator, step, columns
     ROWS   float64 rows, one per frame, as many columns as HEAD names
-    EDIT   JSON: what was changed in flight, and when
+    EDIT   JSON: what was changed in flight, and when; before the first row, what the law remembers there
     DONE   JSON: how the recording ended; absent when the program was killed
 
 A chunk that is cut off or fails its checksum ends the reading: everything before it counts.
@@ -14,6 +14,7 @@ docs/recording-format.md describes it for those who read it without FDES.
 """
 
 import json
+import platform
 import struct
 import threading
 import zlib
@@ -32,6 +33,8 @@ FORMAT = 1
 SUFFIX = ".fdes"
 CHUNK = struct.Struct("<4sII")
 FLUSH_EVERY = 1.0  # s
+# What computes: on another engine, version or machine a flight is the same to rounding only.
+ENGINE = f"plain, {platform.python_implementation()} {platform.python_version()}, {platform.machine()}"
 
 
 def columns_of(state: type) -> tuple[Channel, ...]:
@@ -78,12 +81,13 @@ class Recorder:
         self._waiting: deque[Frame] = deque()
         self._wake = threading.Event()
         self._ending: dict[str, Any] | None = None
-        self.frames = 0
+        self.frames = self._written = 0
         self.trouble: str | None = None
         self._file: BinaryIO = path.open("xb")
         head = {
             "format": FORMAT,
             "fdes": __version__,
+            "engine": ENGINE,
             "started": datetime.now(UTC).isoformat(timespec="seconds"),
             **header,
             "columns": [c._asdict() for c in columns],
@@ -121,10 +125,14 @@ class Recorder:
         rows: list[bytes] = []
         while self._waiting:
             frame = self._waiting.popleft()
-            if frame.edit is not None:
+            note = {} if frame.edit is None else dict(frame.edit.note)
+            if self._written == 0 and frame.memory not in (None, ()):
+                note["memory"] = frame.memory
+            if note or frame.edit is not None:
                 self._put(rows)
                 rows = []
-                self._file.write(chunk(b"EDIT", json.dumps({"t": frame.t, **frame.edit.note}).encode()))
+                self._file.write(chunk(b"EDIT", json.dumps({"t": frame.t, **note}).encode()))
+            self._written += 1
             rows.append(self._row.pack(*row_of(frame)))
         self._put(rows)
         self._file.flush()

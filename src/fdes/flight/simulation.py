@@ -90,11 +90,14 @@ class Frame(NamedTuple):
 
 @dataclass(frozen=True)
 class Clock:
-    """Frame times t = k dt. `duration` [s] includes its last instant; None runs until nobody asks for more."""
+    """Frame times t = k dt, from k = `first` on. `duration` [s] includes its last instant; None runs until nobody asks
+    for more.
+    """
 
     dt: float
     substeps: int = 1
     duration: float | None = None
+    first: int = 0
 
     def __post_init__(self) -> None:
         if not (isfinite(self.dt) and self.dt > 0.0):
@@ -105,7 +108,10 @@ class Clock:
             raise SpecError(f"The duration is {self.duration:g} s; it must be a finite number, zero or more.")
 
     def __iter__(self) -> Iterator[float]:
-        frames: Iterable[int] = count() if self.duration is None else range(round(self.duration / self.dt) + 1)
+        first = self.first
+        frames: Iterable[int] = (
+            count(first) if self.duration is None else range(first, first + round(self.duration / self.dt) + 1)
+        )
         return (k * self.dt for k in frames)
 
 
@@ -142,17 +148,20 @@ def fly(
     clock: Clock,
     excitation: Callable[[float], Surfaces] = no_excitation,
     edits: Callable[[float], Edit | None] = no_edits,
+    after: Frame | None = None,
 ) -> Iterator[Frame]:
     """Fly from state `x`, one frame at a time, for as long as the clock runs.
 
     `excitation` is added to the law's command, as a test input is. `edits` may change plant, law or state at a frame
-    boundary. Raises Departed when the state leaves what numbers can hold.
+    boundary. A flight begins with the surfaces at trim and the law without a bump; or, to be flown again from its
+    middle, with those that were `held` in the frame `after` and the memory that the law had there.
+    Raises Departed when the state leaves what numbers can hold.
     """
     plant, law = setup
-    held = plant.trim()
+    held = plant.trim() if after is None else after.held
     air, weather_memory = weather.start()
     y = plant.observe(x, held, air)
-    memory = law.start(y, pilot(0.0))
+    memory = law.start(y, pilot(clock.first * clock.dt)) if after is None else after.memory
     for t in clock:
         edit = edits(t)
         stick = pilot(t)
