@@ -138,6 +138,13 @@ def test_without_a_file_simulate_tells_what_moved() -> None:
     assert "From t = 0.39 s on the flight is more than 15 deg from its reference condition" in result.stderr
 
 
+@pytest.mark.parametrize("words", ["modes NAVION", "simulate NAVION --initial beta=5deg --duration 2"])
+def test_a_plot_is_written_beside_the_table(words: str, tmp_path: Path) -> None:
+    plot = tmp_path / "plot.svg"
+    assert run(*words.split(), "--plot", str(plot)).stdout.endswith("plot.svg is written.\n")
+    assert plot.read_text(encoding="utf-8").count("Ryan NAVION, M0.158_SL: ") >= 1
+
+
 def test_simulate_without_an_input_says_so() -> None:
     result = run("simulate", "A-4D", "--duration", "1")
     assert result.stdout == ""

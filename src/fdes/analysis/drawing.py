@@ -7,6 +7,7 @@ Both libraries are imported when something is drawn. Colors are those of M. Okab
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ def _save_with_matplotlib(drawing: Drawing, path: Path) -> None:
     with rc_context({"svg.fonttype": "none", "font.size": 9, "svg.hashsalt": "fdes"}):
         figure = Figure(figsize=(drawing.width, drawing.height), layout="constrained")
         FigureCanvasAgg(figure)
-        figure.suptitle(drawing.title, fontsize=11)
+        figure.suptitle(fill(drawing.title, int(10.0 * drawing.width)), fontsize=11)
         n = len(drawing.panels)
         shape = (n, 1) if drawing.stacked else (1, n)
         grid = figure.subplots(*shape, squeeze=False, sharex=drawing.stacked)

@@ -23,6 +23,7 @@ POINTS = 72.0  # per inch
 GROUPS = (
     ("elevator", "aileron", "rudder"),
     ("throttle",),
+    ("gust_u", "gust_v", "gust_w"),
     ("p", "q", "r"),
     ("alpha", "beta"),
     ("theta", "gamma"),
@@ -130,7 +131,7 @@ def responses(flight: Recording, title: str, units: str = "si") -> Drawing:
     unit_of = {c.name: UNIT_SYSTEMS[units].get(c.unit, (c.unit, 1.0)) for c in flight.columns}
     panels = []
     for group in GROUPS:
-        moved = [name for name in group if _moved(flight[name])]
+        moved = [name for name in group if name in unit_of and _moved(flight[name])]
         if not moved:
             continue
         unit = unit_of[moved[0]][0]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fdes.cli.options import FLAG, AircraftName, ConditionName, FormName, IntegratorName, VariantName
+from fdes.cli.options import FLAG, AircraftName, ConditionName, FormName, IntegratorName, PlotFile, VariantName
 from fdes.cli.output import note, number, screen, table
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
@@ -67,14 +67,16 @@ def simulate(
             help="A .csv, .nc or .mat file; else a summary is printed; - is CSV on stdout.",
         ),
     ] = None,
+    plot: PlotFile = None,
 ) -> None:
     """Fly test inputs from trim, hands off, and write the response, the unit of every column with it."""
     from fdes.aircraft import load
+    from fdes.cli.plot import save_plot, target_of
     from fdes.flight import simulate as fly_it
 
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
-    target = _target(out)
+    target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
     ready = load(aircraft).at(condition, variant)
@@ -97,6 +99,19 @@ def simulate(
         screen().print(f"{out}: {rows} rows, {columns} columns", soft_wrap=True)
     else:
         _summarize(response, units)
+    if picture is not None:
+        from fdes.analysis.plots import responses
+
+        save_plot(
+            responses(
+                response,
+                f"{ready.aircraft_name}, {ready.condition}: {'; '.join((*(inputs or ()), *(initial or ())))}",
+                units,
+            ),
+            picture,
+        )
+        if out != STDOUT:
+            screen().print(f"{plot} is written.", soft_wrap=True)
     _note_step(ready, form, integrator, dt / substeps)
     _note_limits(response, ready, limits)
     _note_excursion(response)
