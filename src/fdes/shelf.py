@@ -20,6 +20,7 @@ SHELVES = {
     "integrators": "fdes.physics.integrators",
     "laws": "fdes.control.laws",
     "inputs": "fdes.flight.inputs",
+    "criteria": "fdes.analysis.criteria",
 }
 
 

@@ -35,6 +35,7 @@ from fdes.aircraft.number import (
     Thrust,
     Travel,
 )
+from fdes.aircraft.role import PHASES, AirplaneClass, Category
 from fdes.errors import nearest
 
 
@@ -135,6 +136,26 @@ class Assumed(Part):
     full_pedal_rudder: Travel | None = None
 
 
+class FlyingQualities(Part):
+    """What the airplane is for, in the words of MIL-F-8785C, and why. A condition's own goes before the file's."""
+
+    airplane_class: AirplaneClass | None = None
+    category: Category | None = None
+    phase: str | None = None
+    reason: str = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def _phase_of_its_category(self) -> Self:
+        if self.phase is None:
+            return self
+        if self.phase not in PHASES:
+            raise ValueError(f"phase is {self.phase!r}, which is none of MIL-F-8785C: {', '.join(PHASES)}")
+        category, name = PHASES[self.phase]
+        if self.category != category:
+            raise ValueError(f"phase {self.phase} ({name}) belongs to category {category!r}: say that too")
+        return self
+
+
 class Condition(Part):
     """One straight and level flight condition. Speed and density are the standard atmosphere's unless given.
 
@@ -155,6 +176,7 @@ class Condition(Part):
     derivatives: Derivatives | None = None
     dimensional: DimensionalDerivatives | None = None
     consistent_mass: ConsistentMass | None = None
+    flying_qualities: FlyingQualities | None = None
     assumed: Assumed = Field(default_factory=Assumed)
 
     @model_validator(mode="after")
@@ -202,6 +224,7 @@ class AircraftFile(Part):
     sources: dict[str, str]
     geometry: Geometry | None = None
     mass: MassProperties
+    flying_qualities: FlyingQualities | None = None
     assumed: Assumed = Field(default_factory=Assumed)
     conditions: tuple[Condition, ...] = Field(strict=False)
     waivers: tuple[Waiver, ...] = Field(default=(), strict=False)

@@ -4,7 +4,7 @@ from fdes.cli.options import AsJson
 
 
 def shelves(json: AsJson = False) -> None:
-    """Integrators, control laws and inputs by name. One file each: CONTRIBUTING.md says how to add one."""
+    """Integrators, control laws, inputs and criteria by name. One file each: CONTRIBUTING.md says how to add one."""
     from fdes.cli.output import print_json, screen
     from fdes.shelf import SHELVES, shelf
 

@@ -1,0 +1,178 @@
+"""What the flying-qualities requirements look at, measured on a linear model: damping, frequencies, n/alpha, phi/beta.
+
+A mode whose two roots have turned real is still a second-order motion: omega^2 is the product of its roots and zeta
+follows from their sum, greater than 1. Where one of them is unstable omega^2 is negative. A mode that has merged with
+another is none any more, and what was measured on it is missing, with the reason.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from fdes.analysis.modes import Mode, modes
+from fdes.control import LinearModel
+
+NEUTRAL = 1e-6  # rad/s: a slower real root, which takes more than a week to double, is rounding
+LN2 = math.log(2.0)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The quantities, SI; None where one is not known. `missing` says why, by name.
+
+    omega_sp, omega_dr [rad/s]: natural frequencies; negative stands for minus the root of a negative omega^2, where the
+    mode has split into one stable and one unstable root. zeta_sp, zeta_dr: damping ratios; None where omega^2 < 0.
+    n_alpha: steady load factor per angle of attack at constant speed [1/rad].
+    zeta_ph, t2_ph: phugoid damping ratio, and its time to double where it grows [s].
+    t2_speed: time to double of an aperiodic divergence of airspeed [s].
+    phi_beta: |phi / beta| in the Dutch roll. tau_roll: roll-mode time constant [s], negative where it diverges.
+    t2_spiral: time to double of the spiral [s]; infinite where neutral, negative (minus the time to half) where stable.
+    damping_rs: zeta omega_n of a coupled roll-spiral mode [rad/s]. delay: equivalent time delay of the response [s].
+    """
+
+    omega_sp: float | None = None
+    zeta_sp: float | None = None
+    n_alpha: float | None = None
+    zeta_ph: float | None = None
+    t2_ph: float | None = None
+    t2_speed: float | None = None
+    omega_dr: float | None = None
+    zeta_dr: float | None = None
+    phi_beta: float | None = None
+    tau_roll: float | None = None
+    t2_spiral: float | None = None
+    damping_rs: float | None = None
+    delay: float | None = None
+    missing: Mapping[str, str] = field(default_factory=dict)
+    notes: Mapping[str, str] = field(default_factory=dict)
+
+
+class Pair(NamedTuple):
+    """A second-order motion: omega_n [rad/s], negative where omega^2 < 0, and its damping ratio, then None."""
+
+    omega: float
+    zeta: float | None
+
+
+def measure(model: LinearModel, delay: float | None = None, found: Sequence[Mode] | None = None) -> Measured:
+    """Measure `model`. `delay` [s] is that of everything between stick and surface; `found` its modes, where known."""
+    named = {mode.name: mode for mode in (modes(model) if found is None else found)}
+    missing: dict[str, str] = {}
+    notes: dict[str, str] = {}
+    short_period, missing["omega_sp"] = _pair("short_period", named, notes)
+    dutch_roll, missing["omega_dr"] = _pair("dutch_roll", named, notes)
+    phugoid, missing["zeta_ph"] = _phugoid(named, notes)
+    missing["zeta_sp"], missing["zeta_dr"] = missing["omega_sp"], missing["omega_dr"]
+    roll, spiral, coupled = (named.get(name) for name in ("roll", "spiral", "roll_spiral"))
+    missing["tau_roll"], missing["t2_spiral"] = _gone("roll", named), _gone("spiral", named)
+    missing["damping_rs"] = "Roll and spiral are separate modes." if coupled is None else ""
+    missing["delay"] = "The model holds no actuator, sensor or computer between stick and surface: give its delay."
+    return Measured(
+        omega_sp=short_period and short_period.omega,
+        zeta_sp=short_period and short_period.zeta,
+        n_alpha=n_alpha(model),
+        zeta_ph=phugoid and phugoid.zeta,
+        t2_ph=_doubling(phugoid),
+        t2_speed=_speed_divergence(named),
+        omega_dr=dutch_roll and dutch_roll.omega,
+        zeta_dr=dutch_roll and dutch_roll.zeta,
+        phi_beta=phi_beta(model, named["dutch_roll"].eigenvalue) if "dutch_roll" in named else None,
+        tau_roll=None if roll is None else -1.0 / _away_from_zero(roll.eigenvalue.real),
+        t2_spiral=None if spiral is None else _t2(spiral.eigenvalue.real),
+        damping_rs=None if coupled is None else -coupled.eigenvalue.real,
+        delay=delay,
+        missing={name: reason for name, reason in missing.items() if reason},
+        notes=notes,
+    )
+
+
+def n_alpha(model: LinearModel) -> float:
+    """Steady load factor per radian of angle of attack in a pull-up by elevator at constant speed [1/rad].
+
+    From w_dot = q_dot = 0 with the elevator eliminated, so that feedback to the elevator, which moves the poles, leaves
+    it as it is. Without lift on the elevator it is -Z_alpha/g. MIL-F-8785C, pages 76 and 77.
+    """
+    V, g = float(model.point["V"]), float(model.point["g"])
+    w, q = model.states.index("w"), model.states.index("q")
+    A = model.A
+    by_surface = _elevator(model)
+    Z_de, M_de = (1.0, 0.0) if by_surface is None else (float(by_surface[w]), float(by_surface[q]))
+    if M_de == 0.0:
+        return float(-A[w, w] * V / g)
+    lift, turn = M_de * A[w, w] - Z_de * A[q, w], M_de * A[w, q] - Z_de * A[q, q]
+    return float(-lift / turn * V * V / g) if turn else 0.0
+
+
+def _elevator(model: LinearModel) -> "np.ndarray[tuple[int], np.dtype[np.float64]] | None":
+    """What a unit of elevator does to the rates of the states."""
+    for names, matrix in ((model.states, model.A), (model.inputs, model.B)):
+        if "elevator" in names:
+            return np.asarray(matrix[:, names.index("elevator")])
+    return None
+
+
+def phi_beta(model: LinearModel, eigenvalue: complex) -> float | None:
+    """|phi / beta| in the mode of that eigenvalue, from its eigenvector; None where there is no sideslip in it."""
+    lateral = model.lateral()
+    values, vectors = np.linalg.eig(lateral.A)
+    vector = vectors[:, int(np.argmin(np.abs(values - eigenvalue)))]
+    beta, phi = (abs(vector[lateral.states.index(name)]) for name in ("beta", "phi"))
+    return float(phi / beta) if beta > 0.0 else None
+
+
+def _pair(family: str, named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
+    """The second-order motion of a family, or why there is none."""
+    if family in named:
+        return Pair(named[family].omega_n, named[family].zeta), ""
+    fast, slow = named.get(f"{family}_fast"), named.get(f"{family}_slow")
+    if fast is None or slow is None:
+        return None, _gone(family, named)
+    a, b = fast.eigenvalue.real, slow.eigenvalue.real
+    words = family.replace("_", " ")
+    notes[family] = f"The {words} has split into two real roots, {a:.3g} and {b:.3g} 1/s."
+    product = a * b
+    if product <= 0.0:
+        return Pair(-math.sqrt(-product), None), f"One of the two real roots of the {words} is unstable."
+    return Pair(math.sqrt(product), -(a + b) / (2.0 * math.sqrt(product))), ""
+
+
+def _gone(name: str, named: Mapping[str, Mode]) -> str:
+    """Why a mode is not there."""
+    if name in named:
+        return ""
+    words = name.replace("_", " ")
+    into = [other.replace("_", " ") for other in named if other == "third_oscillatory" or name in other]
+    return f"There is no {words}: it has become part of another mode ({', '.join(into) or 'none of the usual'})."
+
+
+def _phugoid(named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
+    """The long-period oscillation, which may be one that the phugoid and the short period have formed together."""
+    merged = named.get("third_oscillatory")
+    if merged is None:
+        return _pair("phugoid", named, notes)
+    notes["phugoid"] = "Phugoid and short period have merged in a third oscillation, which is judged here."
+    return Pair(merged.omega_n, merged.zeta), ""
+
+
+def _doubling(pair: Pair | None) -> float | None:
+    if pair is None or pair.zeta is None or pair.zeta >= 0.0:
+        return None
+    return LN2 / (-pair.zeta * pair.omega)
+
+
+def _speed_divergence(named: Mapping[str, Mode]) -> float | None:
+    roots = [m.eigenvalue.real for m in named.values() if m.axis == "longitudinal" and not m.oscillatory]
+    growing = max(roots, default=0.0)
+    return LN2 / growing if growing > NEUTRAL else None
+
+
+def _t2(root: float) -> float:
+    return math.inf if abs(root) <= NEUTRAL else LN2 / root
+
+
+def _away_from_zero(root: float) -> float:
+    """A root that can be divided by: a neutral one counts as barely stable."""
+    return root if abs(root) > NEUTRAL else -NEUTRAL
