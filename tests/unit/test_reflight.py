@@ -12,7 +12,19 @@ from fdes.aircraft import edited, load, parse
 from fdes.control import Stick
 from fdes.control.laws.direct import Direct
 from fdes.errors import RecordingError
-from fdes.flight import Clock, Edit, Excitation, Recorder, Recording, Setup, SteadyAir, fly, open_recording, plant_of
+from fdes.flight import (
+    Clock,
+    Edit,
+    Excitation,
+    Recorder,
+    Recording,
+    Setup,
+    SteadyAir,
+    fly,
+    open_recording,
+    plant_of,
+    simulate,
+)
 from fdes.flight.recorder import ENGINE
 from fdes.flight.reflight import differences, fly_again
 from fdes.flight.response import disturbed
@@ -122,3 +134,21 @@ def test_flight_that_departs_ends_there_and_says_so(recording: Recording) -> Non
 def test_recording_that_lacks_something_says_what(recording: Recording, spoil: Any, words: str) -> None:
     with pytest.raises(RecordingError, match=words):
         fly_again(spoil(recording), remake)
+
+
+def test_simulated_flight_says_what_it_was_and_can_be_flown_again() -> None:
+    """`simulate` computes all columns at once, `fly_again` frame by frame: the same to rounding."""
+    inputs = ["doublet elevator 2deg at 0.5s", "step gust_v 2m/s at 1s"]
+    changed = edited(BASE, ["Cm_q*=0.5"])
+    flight = simulate(changed, inputs, clock=Clock(0.01, duration=4.0), initial=["beta=1deg"])
+    assert {k: flight.header[k] for k in ("aircraft", "changes", "inputs", "initial", "dt", "law")} == {
+        "aircraft": "A-4D",
+        "changes": ["Cm_q*=0.5"],
+        "inputs": inputs,
+        "initial": ["beta=1deg"],
+        "dt": 0.01,
+        "law": "direct",
+    }
+    again = fly_again(flight, remake).recording
+    np.testing.assert_allclose(again.data, flight.data, rtol=1e-9, atol=1e-11)
+    assert flight.to_dataset().attrs["changes"] == '["Cm_q*=0.5"]'

@@ -10,6 +10,7 @@ from fdes.cockpit.hub import RATE
 from fdes.control.laws.direct import Direct
 from fdes.errors import SpecError
 from fdes.flight import Clock, Setup, plant_of
+from fdes.flight.header import header_of
 from fdes.units import FOOT
 
 if TYPE_CHECKING:
@@ -39,18 +40,7 @@ class Craft:
 
     def header(self) -> dict[str, Any]:
         """What a recording of it says first: enough to make the same craft again."""
-        c = self.condition
-        return {
-            "aircraft": c.aircraft_id,
-            "condition": c.condition,
-            "variant": c.variant,
-            "form": self.form,
-            "integrator": self.integrator,
-            "dt": self.clock.dt,
-            "substeps": self.clock.substeps,
-            "law": "direct",
-            "document": c.document,
-        }
+        return header_of(self.condition, self.form, self.integrator, self.clock)
 
 
 def make_craft(condition: FlightCondition, form: str = "full", integrator: str = "rk4", step: float = DT) -> Craft:

@@ -4,10 +4,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import inf
 
+from fdes import __version__
 from fdes.aircraft import FlightCondition
 from fdes.control import Stick
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.excitation import Excitation
+from fdes.flight.header import header_of
 from fdes.flight.plants import plant_of
 from fdes.flight.recording import Recording
 from fdes.flight.simulation import Clock
@@ -46,12 +48,14 @@ def simulate(
         raise SpecError(
             f"A flight cannot begin at {height:,.0f} m: it can between {LOWEST:,.0f} m and {HIGHEST:,.0f} m."
         )
-    if not limits:
-        condition = replace(condition, limits=NO_LIMITS)
-    plant = plant_of(condition, form, integrator, clock.dt / clock.substeps)
+    inputs, initial = list(inputs), list(initial)
+    flown = condition if limits else replace(condition, limits=NO_LIMITS)
+    plant = plant_of(flown, form, integrator, clock.dt / clock.substeps)
     start = disturbed(plant.start(height), initial)
     throttle = Stick(throttle=condition.trim_throttle)
-    return trajectory(plant, start, clock, throttle, Excitation.parse(inputs, files=True))
+    flight = trajectory(plant, start, clock, throttle, Excitation.parse(inputs, files=True))
+    header = header_of(condition, form, integrator, clock, inputs=inputs, initial=initial, limits=limits)
+    return replace(flight, header={"fdes": __version__, "engine": "whole columns, NumPy", **header})
 
 
 def disturbed(state: PerturbationState, initial: Iterable[str]) -> PerturbationState:
