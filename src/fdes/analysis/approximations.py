@@ -153,16 +153,19 @@ _ORIGIN = {name: families for families, name in MERGED.items()}
 
 
 def mode_report(condition: FlightCondition, form: Form = "full", exact: Sequence[Mode] | None = None) -> dict[str, Any]:
-    """The modes and all that goes with them, as JSON and the cockpit have it: `modes`, `approximations`, `static`.
+    """The modes and all that goes with them, as JSON and the cockpit have it: `modes`, each with its
+    `approximation`; `approximations`, also those that have no mode; `static`, the static figures.
 
     exact: the modes, where they are known already. Without nondimensional derivatives `approximations` and `static` are
     None, and `without_coefficients` says why.
     """
     found = modes(condition, form) if exact is None else exact
     known = condition.nondimensional
+    compared = [c.as_dict() for c in compare(condition, form, found)] if known else []
+    beside = {c["mode"]: c for c in compared if c["mode"]}
     return {
-        "modes": [mode.as_dict() for mode in found],
-        "approximations": [c.as_dict() for c in compare(condition, form, found)] if known else None,
+        "modes": [mode.as_dict() | {"approximation": beside.get(mode.name)} for mode in found],
+        "approximations": compared if known else None,
         "static": asdict(static_figures(condition, condition.cg)) if known else None,
         "without_coefficients": None if known else WITHOUT_COEFFICIENTS,
     }

@@ -1,9 +1,14 @@
 """`fdes derivatives`: dimensional derivatives, and the matrices A and B that are made of them."""
 
-from typing import TYPE_CHECKING, Any
+import json as json_text
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
 
 from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, VariantName, form_of_equations
 from fdes.cli.output import about, number, print_json, screen, table
+from fdes.errors import SpecError
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -11,6 +16,7 @@ if TYPE_CHECKING:
     from fdes.control import LinearModel
     from fdes.physics.derivatives import Dimensional
 
+MATRIX_FILES = (".tex", ".mat", ".json")
 ASSUMED = "*"  # marks what rests on a number that no source gives
 
 
@@ -19,17 +25,23 @@ def derivatives(
     condition: ConditionName = None,
     form: FormName = "full",
     variant: VariantName = "corrected",
+    matrices: Annotated[
+        str | None, typer.Option("--matrices", metavar="FILE", help="Write A and B: .tex, .mat or .json.")
+    ] = None,
     json: AsJson = False,
 ) -> None:
     """Dimensional derivatives, A and B, in SI."""
     from fdes.aircraft import load
     from fdes.analysis import linear_model
+    from fdes.cli.plot import target_of
     from fdes.physics.derivatives import dimensional
 
-    wanted = form_of_equations(form)
+    wanted, target = form_of_equations(form), target_of(matrices, MATRIX_FILES)
     ready = load(aircraft).at(condition, variant)
     model = linear_model(ready, wanted)
     named = dimensional(ready.coefficients, ready.reference, wanted) if ready.nondimensional else None
+    if target is not None:
+        _write(target, model, about(ready, form))
     if json:
         print_json(
             about(ready, form)
@@ -54,6 +66,29 @@ def derivatives(
     show.print(_matrix_table("Lateral: rows are rates of change", model.lateral()))
     thrust = ready.assumed["max_thrust"]
     show.print(f"{ASSUMED} rests on an ASSUMED thrust of {thrust['value']:,g} {thrust['unit']}: {thrust['reason']}")
+    if target is not None:
+        show.print(f"{matrices} is written.", soft_wrap=True)
+
+
+def _write(path: Path, model: "LinearModel", said: dict[str, str]) -> None:
+    """Both sets in the format of the suffix. Raises SpecError where the disk does not take it."""
+    from fdes.control.matrix_files import latex, save_mat
+
+    parts = {"longitudinal": model.longitudinal(), "lateral": model.lateral()}
+    try:
+        if path.suffix == ".mat":
+            save_mat(path, **parts)
+        elif path.suffix == ".json":
+            content = said | {name: _as_lists(part) for name, part in parts.items()}
+            path.write_text(json_text.dumps(content, indent=2) + "\n", encoding="utf-8")
+        else:
+            title = "% {aircraft} {condition}, {variant} values, form {form}, SI. \\usepackage{{amsmath}}".format(
+                **said
+            )
+            sets = [f"\n% {name}\n\\[\n{latex(part)}\n\\]\n" for name, part in parts.items()]
+            path.write_text(f"{title}\n{''.join(sets)}", encoding="utf-8")
+    except OSError as trouble:
+        raise SpecError(f"{path} cannot be written: {trouble.strerror or trouble}.") from trouble
 
 
 def _as_lists(part: "LinearModel") -> dict[str, Any]:

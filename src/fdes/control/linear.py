@@ -1,6 +1,7 @@
 """Linear models that know their names, and the exact zero-order hold of the linear plant."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,6 @@ from fdes.physics.derivatives import Matrices, Matrix, Reference
 from fdes.physics.small_perturbation import ExactHold
 
 Array = NDArray[np.float64]
-
-
-def _nothing() -> Array:
-    return np.zeros((0, 0))
 
 
 @dataclass(frozen=True)
@@ -32,9 +29,14 @@ class LinearModel:
     units: dict[str, str]
     point: dict[str, Any]
     outputs: tuple[str, ...] = ()
-    C: Array = field(default_factory=_nothing)
-    D: Array = field(default_factory=_nothing)
+    C: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    D: Array = field(default_factory=lambda: np.zeros((0, 0)))
     dt: float | None = None
+
+    def __post_init__(self) -> None:
+        if not self.outputs:  # no rows, but as many columns as there are states and inputs
+            object.__setattr__(self, "C", np.zeros((0, len(self.states))))
+            object.__setattr__(self, "D", np.zeros((0, len(self.inputs))))
 
     def part(self, states: tuple[str, ...], inputs: tuple[str, ...]) -> "LinearModel":
         """The model of these states and inputs alone, all others held at zero. It keeps all outputs."""
@@ -42,7 +44,7 @@ class LinearModel:
         columns = [self.inputs.index(i) for i in inputs]
         units = {name: self.units[name] for name in (*states, *inputs, *self.outputs)}
         A, B = self.A[np.ix_(rows, rows)], self.B[np.ix_(rows, columns)]
-        C, D = (self.C[:, rows], self.D[:, columns]) if self.outputs else (self.C, self.D)
+        C, D = self.C[:, rows], self.D[:, columns]
         return LinearModel(A, B, states, inputs, units, self.point, self.outputs, C, D, self.dt)
 
     def longitudinal(self) -> "LinearModel":
@@ -59,9 +61,23 @@ class LinearModel:
         Reference: C. F. Van Loan, IEEE Trans. Automatic Control AC-23 (1978) 395-404.
         """
         Phi, Gamma = _hold(self.A, self.B, dt)
-        return LinearModel(
-            Phi, Gamma, self.states, self.inputs, self.units, self.point, self.outputs, self.C, self.D, dt
-        )
+        return replace(self, A=Phi, B=Gamma, dt=dt)
+
+    def to_latex(self) -> str:
+        """The equation of state as LaTeX in math mode, rows named with their units; it needs the package amsmath."""
+        from fdes.control.matrix_files import latex
+
+        return latex(self)
+
+    def to_mat(self, path: Path) -> None:
+        """Write `model`, a struct with A, B, states, inputs and their units, for MATLAB."""
+        from fdes.control.matrix_files import save_mat
+
+        save_mat(path, model=self)
+
+    def _repr_latex_(self) -> str:
+        """The equation of state, for notebooks."""
+        return f"$$\n{self.to_latex()}\n$$"
 
 
 def exact_hold(matrices: Matrices, ref: Reference, h: float) -> ExactHold:
