@@ -1,21 +1,33 @@
 """From an aircraft in a flight condition to a linear model with names."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+from math import inf
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fdes.aircraft import FlightCondition
 from fdes.control import LinearModel
+from fdes.errors import NoSuchPart, SpecError
+from fdes.flight import plant_of
 from fdes.physics.derivatives import Form, Matrices
-from fdes.physics.signals import Surfaces, channels
-from fdes.physics.small_perturbation import PerturbationState
+from fdes.physics.signals import Air, Outputs, Surfaces, channels
+from fdes.physics.small_perturbation import Limits, PerturbationState
 
 STATES = ("u", "w", "q", "theta", "beta", "p", "r", "phi")
 INPUTS = ("elevator", "throttle", "aileron", "rudder")
+NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
+STEP = 2.0**-7  # of differences, in SI: a power of two, so that what is linear is differentiated without rounding
 
 
-def linear_model(condition: FlightCondition, form: Form = "full") -> LinearModel:
-    """The small-perturbation model of `condition`: eight states, four inputs, longitudinal and lateral decoupled."""
+def linear_model(condition: FlightCondition, form: Form = "full", outputs: Sequence[str] = ()) -> LinearModel:
+    """The small-perturbation model of `condition`: eight states, four inputs, longitudinal and lateral decoupled.
+
+    `outputs` are fields of `Outputs`, from their values in undisturbed flight. Raises NoSuchPart for another name, and
+    SpecError for one that hangs on heading or place, which are no states of this model.
+    """
     point = {
         "aircraft": condition.aircraft_id,
         "condition": condition.condition,
@@ -23,7 +35,44 @@ def linear_model(condition: FlightCondition, form: Form = "full") -> LinearModel
         "form": form,
         **condition.reference._asdict(),
     }
-    return joined(condition.equations(form), point)
+    model = joined(condition.equations(form), point)
+    return _observed(model, condition, form, tuple(outputs)) if outputs else model
+
+
+def _observed(model: LinearModel, condition: FlightCondition, form: Form, outputs: tuple[str, ...]) -> LinearModel:
+    """The model with C and D: differences of what the plant shows, extrapolated to the fourth order."""
+    unit = {c.name: c.unit for c in channels(Outputs)}
+    for name in outputs:
+        if name not in unit:
+            raise NoSuchPart("output", name, unit)
+    plant = plant_of(condition, form)._replace(limits=NO_LIMITS)
+    rest, trim, calm = plant.start(), plant.trim(), Air()
+
+    def shown(x: PerturbationState, held: Surfaces) -> NDArray[np.float64]:
+        y = plant.observe(x, held, calm)
+        return np.array([getattr(y, name) for name in outputs])
+
+    def slope(name: str, h: float) -> NDArray[np.float64]:
+        def moved(by: float) -> NDArray[np.float64]:
+            if name in INPUTS:
+                return shown(rest, trim._replace(**{name: getattr(trim, name) + by}))
+            return shown(rest._replace(**{name: getattr(rest, name) + by}), trim)
+
+        return (moved(h) - moved(-h)) / (2.0 * h)
+
+    def derivative(name: str) -> NDArray[np.float64]:
+        return (4.0 * slope(name, STEP / 2.0) - slope(name, STEP)) / 3.0
+
+    for name in PerturbationState._fields:
+        if name not in STATES and derivative(name).any():
+            culprit = outputs[int(np.flatnonzero(derivative(name))[0])]
+            raise SpecError(
+                f"The linear model cannot show {culprit}: it changes with {name}, which is not among its states."
+            )
+    C = np.column_stack([derivative(name) for name in STATES])
+    D = np.column_stack([derivative(name) for name in INPUTS])
+    units = model.units | {name: unit[name] for name in outputs}
+    return replace(model, outputs=outputs, C=C, D=D, units=units)
 
 
 def joined(equations: Matrices, point: dict[str, Any]) -> LinearModel:

@@ -44,12 +44,12 @@ GONE = 1e-4  # of a sampled root: what is less has settled within a frame, and i
 class Root(NamedTuple):
     """A root as an eigenvalue of continuous time [rad/s], its imaginary part not negative; each state's share in it.
 
-    count: the roots that it stands for, two for a conjugate pair.
+    pair: it stands for two, a conjugate pair.
     """
 
     value: complex
     shares: dict[str, float]
-    count: int
+    pair: bool
 
 
 class NamedRoot(NamedTuple):
@@ -79,18 +79,26 @@ def named_roots(model: LinearModel) -> list[NamedRoot]:
 
 def _axes_of(model: LinearModel) -> dict[Axis, tuple[str, ...]]:
     """The states of each axis, what a law or an actuator remembers with them; all of them in one, if they couple."""
-    near = np.abs(model.A) > COUPLED
-    near |= near.T | np.eye(len(near), dtype=bool)
-    for _ in range(len(near).bit_length()):
-        near = near @ near  # of truth values: twice as far
-    first, second = (
-        near[[model.states.index(s) for f in families.values() for s in f]].any(axis=0)
-        for families in FAMILIES.values()
-    )
-    if (first & second).any():
+    longitudinal, lateral = (_reached(model, families) for families in FAMILIES.values())
+    if longitudinal & lateral:
         return {"longitudinal": model.states}
-    lateral = tuple(s for s, there in zip(model.states, second, strict=True) if there)
-    return {"longitudinal": tuple(s for s in model.states if s not in lateral), "lateral": lateral}
+    return {
+        "longitudinal": tuple(s for s in model.states if s not in lateral),
+        "lateral": tuple(s for s in model.states if s in lateral),
+    }
+
+
+def _reached(model: LinearModel, families: dict[str, tuple[str, ...]]) -> set[str]:
+    """All states that have to do with those of the families, directly or by way of others."""
+    coupled = np.abs(model.A) > COUPLED
+    reached = {model.states.index(s) for states in families.values() for s in states}
+    waiting = list(reached)
+    while waiting:
+        k = waiting.pop()
+        more = {int(j) for j in np.flatnonzero(coupled[k] | coupled[:, k])} - reached
+        reached |= more
+        waiting += more
+    return {model.states[k] for k in reached}
 
 
 def _families(states: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
@@ -122,7 +130,7 @@ def _named(roots: list[Root], families: dict[str, tuple[str, ...]]) -> list[tupl
         return max(share(f, root) for f, states in families.items() if len(states) == 2)
 
     named: list[tuple[str, Root]] = []
-    for pair in sorted((r for r in roots if r.count == 2), key=most_of_its_own, reverse=True):
+    for pair in sorted((r for r in roots if r.pair), key=most_of_its_own, reverse=True):
         first, *others = sorted(dict.fromkeys(places), key=lambda f: share(f, pair), reverse=True)
         own = places.count(first) >= 2 and (not others or is_own(first, pair))
         taken = (first, first) if own else (first, others[0])
@@ -130,7 +138,7 @@ def _named(roots: list[Root], families: dict[str, tuple[str, ...]]) -> list[tupl
         named.append((first if own else MERGED.get(frozenset(taken), both), pair))
         for family in taken:
             places.remove(family)
-    reals = [r for r in roots if r.count == 1]
+    reals = [r for r in roots if not r.pair]
     return [*named, *_real_roots(_placed(reals, places, share), families)]
 
 
@@ -199,7 +207,7 @@ def _roots(model: LinearModel, states: tuple[str, ...]) -> list[Root]:
     weights = np.abs(right * left.T)
     weights /= weights.sum(axis=0)
     return [
-        Root(s, {state: float(w) for state, w in zip(states, column, strict=True)}, 1 if v.imag == 0.0 else 2)
+        Root(s, {state: float(w) for state, w in zip(states, column, strict=True)}, v.imag > 0.0)
         for v, column in zip(values, weights.T, strict=True)
         if v.imag >= 0.0 and (s := _continuous(complex(v), model.dt)) is not None
     ]

@@ -125,8 +125,8 @@ def modes(of: LinearModel | FlightCondition, form: Form = "full") -> ModeList:
     """The modes of a linear model, or of an aircraft in a flight condition in the given form of its equations.
 
     Longitudinal modes come first; within an axis the fastest first. Heading, position and height are integrals of the
-    states and no modes. What a law, an actuator or a sensor remembers adds modes, named after it. The roots z of a sampled
-    model are shown as ln(z) / dt.
+    states and no modes. What a law, an actuator or a sensor remembers adds modes, named after it. The roots z of a
+    sampled model are shown as ln(z) / dt.
     """
     model = of if isinstance(of, LinearModel) else linear_model(of, form)
     return ModeList(_mode(named) for named in named_roots(model))
