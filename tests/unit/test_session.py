@@ -14,12 +14,13 @@ from fdes.cockpit import session as session_module
 from fdes.cockpit import sortie as sortie_module
 from fdes.cockpit import wire
 from fdes.cockpit.craft import Craft, condition_name, make_craft
+from fdes.cockpit.excite import excite, held, preview
 from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.replay import replay_of
 from fdes.cockpit.session import Session
 from fdes.control import Stick
 from fdes.errors import FdesError, NoSuchPart, RecordingError, SpecError
-from fdes.flight import Edit, Recorder, Recording, open_recording
+from fdes.flight import Edit, Excitation, Recorder, Recording, open_recording
 from fdes.flight.recorder import columns_of
 
 CRAFT = make_craft(load("A-4D").at())
@@ -115,7 +116,7 @@ def test_how_flights_end(session: Session, changes: dict[str, float], words: str
         with pytest.raises(SpecError, match="The flight has ended"):
             refused()
     session.reset()
-    assert session.status() == {"frozen": False, "recording": None, "replay": None, "notice": None}
+    assert session.status() == {"frozen": False, "recording": None, "replay": None, "held": {}, "notice": None}
     assert ticks(session, 5)
 
 
@@ -278,7 +279,7 @@ def test_condition_names() -> None:
 
 def test_a_test_input_begins_now_and_ends(session: Session) -> None:
     ticks(session, 10)
-    session.put_in("pulse aileron 2deg for 0.1s")
+    session.put_in(Excitation.parse(["pulse aileron 2deg for 0.1s"]))
     ticks(session, 7)
     assert session._sortie.frame.outputs.aileron == pytest.approx(math.radians(2.0))
     ticks(session, 20)
@@ -288,7 +289,7 @@ def test_a_test_input_begins_now_and_ends(session: Session) -> None:
 
 def test_inputs_can_be_cleared_and_a_reset_clears_them(session: Session) -> None:
     for end in (session.clear_inputs, session.reset):
-        session.put_in("step elevator -1deg")
+        session.put_in(Excitation.parse(["step elevator -1deg"]))
         ticks(session, 3)
         assert session._sortie.frame.command.elevator == pytest.approx(math.radians(-1.0))
         end()
@@ -308,7 +309,7 @@ def test_a_disturbance_is_added_to_the_state_and_recorded_as_an_edit(session: Se
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda s: s.put_in("stp aileron 1deg"), "There is no input named 'stp'. Did you mean 'step'?"),
+        (lambda s: excite(s, wire.PutIn("stp aileron 1deg")), "There is no input named 'stp'. Did you mean 'step'?"),
         (lambda s: s.disturb("bta=5deg"), "There is no state named 'bta'. Did you mean 'beta'?"),
     ],
 )
@@ -343,3 +344,90 @@ def test_a_reset_after_a_replay_flies_on(session: Session, tmp_path: Path) -> No
     session.freeze()
     session.reset()
     assert session.status()["frozen"]  # what the pilot froze stays frozen
+
+
+def test_held_values_are_added_and_recorded_until_they_are_cleared(session: Session, tmp_path: Path) -> None:
+    assert session.hold("elevator", 0.02)
+    assert not session.hold("gust_w", -3.0)
+    session.start_recording()
+    ticks(session, 10)
+    assert session.status()["held"] == {"elevator": 0.02, "gust_w": -3.0}
+    session.hold("elevator", 0.0)
+    ticks(session, 10)
+    assert session.status()["held"] == {"gust_w": -3.0}
+    session.clear_inputs()
+    ticks(session, 10)
+    session.hold("aileron", 0.1)
+    session.reset()
+    assert session.status()["held"] == {}
+    ticks(session, 10)
+    name = session.stop_recording()
+    wait_for_recordings()
+    recording = open_recording(tmp_path / f"{name}.fdes")
+    assert recording["excitation_elevator"].tolist() == [0.02] * 10 + [0.0] * 30
+    assert recording["air_gust_w"].tolist() == [-3.0] * 20 + [0.0] * 20
+    assert not recording["excitation_aileron"].any()
+    assert recording["n_z"][0] > 1.01
+
+
+def test_a_measured_history_is_flown_as_it_is(session: Session) -> None:
+    excite(session, wire.PutInHistory("aileron", (5.0, 5.1, 5.2), (0.0, 0.1, 0.0)))
+    added = []
+    for _ in range(40):
+        ticks(session, 1)
+        added.append(session._sortie.frame.excitation.aileron)
+    assert max(added) == pytest.approx(0.1)
+    assert added[-1] == 0.0
+    with pytest.raises(SpecError, match="must grow from row to row; row 2 goes from 1 s to 1 s"):
+        excite(session, wire.PutInHistory("aileron", (1.0, 1.0), (0.0, 0.1)))
+
+
+def test_inputs_that_are_over_are_forgotten_and_too_many_are_refused(session: Session) -> None:
+    for _ in range(3):
+        for _ in range(60):
+            excite(session, wire.PutIn("pulse elevator 0.01deg for 0.05s"))
+        ticks(session, 20)
+    for _ in range(64):
+        excite(session, wire.PutIn("step elevator 0.01deg"))
+    with pytest.raises(SpecError, match=r"64 test inputs are under way, and 64 can be at once\. End them all"):
+        excite(session, wire.PutIn("step elevator 0.01deg"))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("elevator 2deg; step rudder 1deg", "cannot be held: say one channel and its value"),
+        ("elevator 2deg at 3s", "cannot be held"),
+        ("elevator 2", "does not say the unit of 2. Write 2deg"),
+        ("flaps 2deg", "There is no input channel named 'flaps'"),
+    ],
+)
+def test_says_why_a_value_cannot_be_held(text: str, words: str) -> None:
+    with pytest.raises(FdesError, match=words):
+        held(text)
+
+
+def test_a_preview_is_the_input_itself() -> None:
+    seen = preview("doublet gust_w -3m/s for 2s")
+    assert (seen["channel"], seen["unit"]) == ("gust_w", "m/s")
+    assert seen["start"] < 0.0
+    assert seen["start"] + seen["dt"] * (len(seen["values"]) - 1) > 2.0
+    put = Excitation.parse(["doublet gust_w -3m/s for 2s"])
+    assert seen["values"] == [put.gusts(seen["start"] + k * seen["dt"]).gust_w for k in range(len(seen["values"]))]
+    with pytest.raises(SpecError, match="cannot be flown"):
+        preview("sweep elevator 1deg slowest 1e300s fastest 1e-300s")
+
+
+def test_the_network_cannot_name_a_file(session: Session, tmp_path: Path) -> None:
+    """Whether the file exists or not, the same refusal: nothing of the disk comes out."""
+    there = tmp_path / "secret.csv"
+    there.write_text("t,elevator [deg]\n0,1\n1,2\n", encoding="utf-8")
+    refusals = set()
+    for path in (there, tmp_path / "none.csv"):
+        text = f"measured elevator {path}"
+        for ask in (lambda t: excite(session, wire.PutIn(t)), preview, lambda t: excite(session, wire.Hold(t))):
+            with pytest.raises(FdesError) as no:
+                ask(text)
+            refusals.add(str(no.value).replace(str(path), "PATH")[:60])
+    assert len(refusals) == 2  # the one of inputs, and the one of values held
+    assert session._sortie._everything.parts == ()

@@ -129,3 +129,34 @@ def test_says_what_is_wrong_with_a_text(text: str, words: str) -> None:
 def test_says_what_is_wrong_with_a_command(said: dict[str, Any], words: str) -> None:
     with pytest.raises(SpecError, match=words):
         wire.command_of(wire.read_text(command(**said)))
+
+
+def history(*rows: tuple[float, float], kind: int = 3, version: int = 1, channel: int = 1, number: int = 9) -> bytes:
+    return struct.pack("<BBHI", kind, version, channel, number) + b"".join(struct.pack("<dd", *row) for row in rows)
+
+
+def test_a_measured_history_is_laid_out_as_documented() -> None:
+    data = history((0.0, 0.1), (0.5, -0.1))
+    assert wire.is_history(data)
+    assert not wire.is_history(input_frame(0, 0, 0, 0))
+    assert wire.unpack_history(data) == (9, wire.PutInHistory("aileron", (0.0, 0.5), (0.1, -0.1)))
+    assert wire.INPUT_CHANNELS[4:] == ("gust_u", "gust_v", "gust_w", "alpha_g", "beta_g")
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"\x03", "A measured history has 8 bytes and 16 for each of at most 4000 rows; 1 bytes came."),
+        (history((0.0, 0.0))[:-1], "23 bytes came"),
+        (history(*[(0.0, 0.0)] * 4001), "at most 4000 rows; 64024 bytes came"),
+        (history(version=2), "The measured history has version 2; this server speaks version 1."),
+        (history(channel=9), "There is no input channel number 9: they are elevator, aileron"),
+    ],
+)
+def test_says_what_is_wrong_with_a_history(data: bytes, words: str) -> None:
+    with pytest.raises(SpecError, match=words):
+        wire.unpack_history(data)
+
+
+def test_no_command_carries_a_history_or_a_path() -> None:
+    assert wire.PutInHistory not in wire.COMMANDS.values()

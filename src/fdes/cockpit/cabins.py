@@ -10,6 +10,7 @@ from typing import Any
 from fdes import __version__
 from fdes.cockpit import wire
 from fdes.cockpit.craft import Craft, make_craft
+from fdes.cockpit.excite import excite, preview
 from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.hub import RATE, Hub, percentiles
 from fdes.cockpit.replay import replay_of
@@ -117,8 +118,8 @@ class Cabins:
 
     async def obey(self, cabin: Cabin, viewer: Viewer, command: wire.Command) -> dict[str, Any]:
         """Carry out a command; what the reply says besides "ok". Raises FdesError when it cannot be."""
-        if isinstance(command, wire.Ping):
-            return {}
+        if isinstance(command, wire.Ping | wire.Preview):
+            return preview(command.text) if isinstance(command, wire.Preview) else {}
         if viewer is not cabin.pilot:
             raise SpecError(_observing(cabin, "gives the commands"))
         session = cabin.session
@@ -129,8 +130,8 @@ class Cabins:
                 return {"recording": session.stop_recording()}
             case wire.ChooseAircraft() | wire.Equations():
                 session.change(await asyncio.to_thread(self._craft, session.flown, command))
-            case wire.PutIn(text):
-                if session.put_in(text):
+            case wire.PutIn() | wire.PutInHistory() | wire.Hold():
+                if excite(session, command):
                     self._later(session.start_recording)
             case wire.Delete(recording):
                 await asyncio.to_thread(self._delete, recording)
@@ -245,6 +246,7 @@ class Cabins:
             "session": cabin.session.name,
             "role": viewer.role,
             "channels": [c._asdict() for c in wire.CHANNELS],
+            "inputs": list(wire.INPUT_CHANNELS),
             "rate": RATE,
             "frame_rate": RATE // EVERY_MOVING,
             "aircraft": shown.briefing,

@@ -190,19 +190,25 @@ async def listen(websocket: WebSocket, cabins: Cabins, cabin: Cabin, viewer: Vie
                 await asyncio.sleep(rest)
             continue
         try:
-            if (data := message.get("bytes")) is not None:
-                cabins.stick(cabin, viewer, wire.unpack_input(data))
+            if (data := message.get("bytes")) is None:
+                asked = wire.read_text(message["text"])
+                await reply(cabins, cabin, viewer, asked["id"], asked)
+            elif wire.is_history(data):
+                number, history = wire.unpack_history(data)
+                await reply(cabins, cabin, viewer, number, history)
             else:
-                await reply(cabins, cabin, viewer, wire.read_text(message["text"]))
+                cabins.stick(cabin, viewer, wire.unpack_input(data))
         except FdesError as wrong:
             viewer.complain(str(wrong))
 
 
-async def reply(cabins: Cabins, cabin: Cabin, viewer: Viewer, message: dict[str, Any]) -> None:
-    """Carry out a command and say how it went."""
-    number = message["id"]
+async def reply(
+    cabins: Cabins, cabin: Cabin, viewer: Viewer, number: int, asked: wire.Command | dict[str, Any]
+) -> None:
+    """Carry out the command of that `number`, read already or still a message, and say how it went."""
     try:
-        said = await cabins.obey(cabin, viewer, wire.command_of(message))
+        command = wire.command_of(asked) if isinstance(asked, dict) else asked
+        said = await cabins.obey(cabin, viewer, command)
     except FdesError as no:
         viewer.tell(type="reply", id=number, ok=False, error=str(no))
     except Exception as fault:

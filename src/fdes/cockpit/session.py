@@ -17,7 +17,7 @@ from fdes.cockpit.replay import Replay
 from fdes.cockpit.sortie import AGAIN, Sortie, open_recorder
 from fdes.control import Stick
 from fdes.errors import SpecError
-from fdes.flight import Recorder
+from fdes.flight import Excitation, Recorder
 
 EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
@@ -94,6 +94,7 @@ class Session:
                 "recording": recorder and {"name": recorder.path.stem, "seconds": round(self._sortie.recorded, 1)},
                 "replay": replay
                 and {"name": replay.name, "t": round(replay.t, 3), "duration": round(replay.duration, 3)},
+                "held": self._sortie.held,
                 "notice": self._sortie.notice,
             }
 
@@ -148,17 +149,21 @@ class Session:
                 self._sortie.reset()
             self._show = self.changed = True
 
-    def put_in(self, text: str) -> bool:
-        """Begin a test input. True when a recording should begin. Raises SpecError, NoSuchPart."""
+    def put_in(self, given: Excitation) -> bool:
+        """Begin test inputs. True when a recording should begin. Raises SpecError."""
         with self._lock:
-            first = self._flying().put_in(text)
-            self._show = self.changed = True
-            return first and self._record and self._sortie.recorder is None
+            return self._recorded_from(self._flying().put_in(given))
+
+    def hold(self, channel: str, value: float) -> bool:
+        """Hold `value` [SI] on a channel; zero lets go. True when a recording should begin. Raises SpecError."""
+        with self._lock:
+            return self._recorded_from(self._flying().hold(channel, value))
 
     def clear_inputs(self) -> None:
-        """End all test inputs."""
+        """End all test inputs, and let go of what is held."""
         with self._lock:
             self._sortie.clear_inputs()
+            self._show = self.changed = True
 
     def disturb(self, text: str) -> None:
         """Disturb the state. Raises SpecError, NoSuchPart."""
@@ -229,6 +234,11 @@ class Session:
         with self._lock:
             self.watched = False
             self._sortie.release("session closed")
+
+    def _recorded_from(self, first: bool) -> bool:
+        """Show what was done; whether a recording should begin with it, it being the `first` of the flight."""
+        self._show = self.changed = True
+        return first and self._record and self._sortie.recorder is None
 
     def _record_with(self, recorder: Recorder, sortie: Sortie) -> bool:
         """Record `sortie`, if it is still the one that is flown and is not recorded yet."""

@@ -7,14 +7,17 @@ import re
 import threading
 from datetime import datetime
 from itertools import count
-from math import isfinite
+from math import inf, isfinite
 from pathlib import Path
+from typing import Any
 
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.wire import Input
 from fdes.control import Stick
-from fdes.errors import Departed, FdesError
-from fdes.flight import Edit, Excitation, Frame, Recorder, SteadyAir, fly
+from fdes.errors import Departed, FdesError, SpecError
+from fdes.flight import Edit, Excitation, Frame, GustyAir, Recorder, fly
+from fdes.flight.excitation import NO_GUSTS, Gusts
+from fdes.flight.inputs.step import Step
 from fdes.flight.recorder import SUFFIX
 from fdes.flight.response import disturbed
 from fdes.flight.simulation import NO_EXCITATION
@@ -23,6 +26,7 @@ from fdes.physics.signals import Surfaces
 SLOWEST = 1.0  # m/s
 MOVED = 0.005  # how far a control must go from where it was at the start to count as moved
 LONGEST_RECORDING = 3600.0  # s: some 200 MB
+MOST_INPUTS = 64  # under way at once: each costs time in every frame
 AGAIN = "Press R to start again."
 
 
@@ -43,9 +47,16 @@ class Sortie:
         self.given = self.flown_with = Input(stick)
         self._rest = stick
         self._edits: list[Edit] = []  # to be made, one a frame
-        self._inputs = Excitation(())
+        self._inputs = self._everything = Excitation(())  # the test inputs; with what is held by hand
+        self.held: dict[str, float] = {}
         self._frames = fly(
-            craft.start, craft.setup, self._pilot, SteadyAir(), craft.clock, self._put_in, edits=self._take_edit
+            craft.start,
+            craft.setup,
+            self._pilot,
+            GustyAir(self._gusts, craft.condition.reference.V),
+            craft.clock,
+            self._put_in,
+            edits=self._take_edit,
         )
         self.frame: Frame = next(self._frames)
 
@@ -83,21 +94,40 @@ class Sortie:
     def reset(self) -> None:
         """Be back in undisturbed flight with the next frame, the controls as they were at the start."""
         self.given = self.given._replace(stick=self._rest)
-        self._inputs = Excitation(())
+        self.clear_inputs()
         self._edits = [Edit(state=self.craft.start, note={"reset": True})]
         if self.frozen:
             self.advance()
 
-    def put_in(self, text: str) -> bool:
-        """Begin a test input with the next frame. True when a recording should begin. Raises SpecError, NoSuchPart."""
-        begun = Excitation.parse([text]).later(self.frame.t + self.craft.clock.dt)
-        self._inputs = Excitation((*self._inputs.parts, *begun.parts))
-        touched, self.touched = self.touched, True
-        return not touched
+    def put_in(self, given: Excitation) -> bool:
+        """Begin test inputs with the next frame. True when a recording should begin. Raises SpecError."""
+        now = self.frame.t + self.craft.clock.dt
+        going_on = [part for part in self._inputs.parts if not _is_over(part[1], now)]
+        if len(going_on) + len(given.parts) > MOST_INPUTS:
+            raise SpecError(
+                f"{len(going_on)} test inputs are under way, and {MOST_INPUTS} can be at once. "
+                "End them all before you put in another."
+            )
+        self._inputs = Excitation((*going_on, *given.later(now).parts))
+        return self._excite()
+
+    def hold(self, channel: str, value: float) -> bool:
+        """Add `value` [SI] to `channel` from the next frame on; zero lets go. True when a recording should begin."""
+        self.held = {**self.held, channel: value}
+        if value == 0.0:
+            del self.held[channel]
+        return self._excite()
 
     def clear_inputs(self) -> None:
-        """End all test inputs."""
-        self._inputs = Excitation(())
+        """End all test inputs, and let go of what is held."""
+        self._inputs = self._everything = Excitation(())
+        self.held = {}
+
+    def _excite(self) -> bool:
+        by_hand = ((channel, Step(value)) for channel, value in self.held.items())
+        self._everything = Excitation((*self._inputs.parts, *by_hand))
+        touched, self.touched = self.touched, True
+        return not touched
 
     def disturb(self, text: str) -> None:
         """Add a perturbation to the state at the next frame. Raises SpecError, NoSuchPart."""
@@ -123,7 +153,10 @@ class Sortie:
         return given.stick
 
     def _put_in(self, t: float) -> Surfaces:
-        return self._inputs(t) if self._inputs.parts else NO_EXCITATION
+        return self._everything(t) if self._everything.parts else NO_EXCITATION
+
+    def _gusts(self, t: float) -> Gusts:
+        return self._everything.gusts(t) if self._everything.parts else NO_GUSTS
 
     def _take_edit(self, t: float) -> Edit | None:
         return self._edits.pop(0) if self._edits else None
@@ -140,6 +173,11 @@ class Sortie:
             self.release("full")
         else:
             recorder.append(frame)
+
+
+def _is_over(shape: Any, t: float) -> bool:
+    """Whether an input adds nothing any more from `t` [s] on."""
+    return bool(t > shape.at + getattr(shape, "lasting", inf) and shape(t) == 0.0)
 
 
 def open_recorder(folder: Path, craft: Craft) -> Recorder:

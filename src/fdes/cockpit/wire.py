@@ -9,6 +9,10 @@ An input frame is 32 bytes, the stick as `fdes.control.Stick` has it (aft, right
 
     u8 type = 2 · u8 version · u16 buttons · u32 sequence · f64 client stamp [ms] · f32 pitch, roll, yaw, throttle
 
+A measured history is a header of 8 bytes and up to `MOST_ROWS` rows, in SI; its reply bears its id:
+
+    u8 type = 3 · u8 version · u16 place of the channel in INPUT_CHANNELS · u32 id · f64 t [s], f64 value for each row
+
 Everything else is JSON text with a "type".
 """
 
@@ -22,10 +26,13 @@ from typing import Any, NamedTuple, get_args, get_type_hints
 
 from fdes.control import Stick
 from fdes.errors import SpecError, nearest
+from fdes.flight.excitation import UNITS
 from fdes.physics.signals import Outputs, channels
 
 VERSION = 1
 CHANNELS = (*channels(Outputs), *channels(Stick, "stick_"))
+
+INPUT_CHANNELS = tuple(UNITS)  # what inputs move: surfaces, then gusts
 
 FROZEN = 1
 RECORDING = 2
@@ -36,10 +43,14 @@ LATE = 32  # the machine fell behind within the last second
 
 STATE_TYPE = 1
 INPUT_TYPE = 2
+HISTORY_TYPE = 3
 MAX_TEXT = 4096  # bytes
+MOST_ROWS = 4000  # of a history: less than the largest message that the server takes
 
 _STATE = struct.Struct(f"<BBHIdIId{len(CHANNELS)}f")
 _INPUT = struct.Struct("<BBHIdffff")
+_HISTORY = struct.Struct("<BBHI")
+_ROW = struct.Struct("<dd")
 
 
 class Input(NamedTuple):
@@ -100,8 +111,31 @@ class PutIn:
 
 
 @dataclass(frozen=True)
+class PutInHistory:
+    """Begin a measured history on `channel` now: `times` [s] and `values` [SI]. It comes as a binary message."""
+
+    channel: str
+    times: tuple[float, ...]
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Hold a constant value on a channel, such as ``elevator 2deg``, until another is held, or all are cleared."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Preview:
+    """What a test input will be, without putting it in."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class ClearInputs:
-    """End all test inputs."""
+    """End all test inputs, and let go of all values held."""
 
 
 @dataclass(frozen=True)
@@ -150,6 +184,9 @@ Command = (
     | ChooseAircraft
     | Equations
     | PutIn
+    | PutInHistory
+    | Hold
+    | Preview
     | ClearInputs
     | Disturb
     | Delete
@@ -167,6 +204,8 @@ COMMANDS: dict[str, type[Command]] = {
     "aircraft": ChooseAircraft,
     "equations": Equations,
     "input": PutIn,
+    "hold": Hold,
+    "preview": Preview,
     "clear_inputs": ClearInputs,
     "disturb": Disturb,
     "delete": Delete,
@@ -199,6 +238,28 @@ def unpack_input(data: bytes) -> Input:
         )
     pitch, roll, yaw = (min(max(v, -1.0), 1.0) for v in controls[:3])
     return Input(Stick(pitch, roll, yaw, min(max(controls[3], 0.0), 1.0)), sequence, stamp)
+
+
+def is_history(data: bytes) -> bool:
+    """Whether a binary message is meant as a measured history."""
+    return data[:1] == bytes([HISTORY_TYPE])
+
+
+def unpack_history(data: bytes) -> tuple[int, PutInHistory]:
+    """Read a measured history: its id, and what it asks. Raises SpecError when it is none."""
+    rows, rest = divmod(len(data) - _HISTORY.size, _ROW.size)
+    if rest or not 0 <= rows <= MOST_ROWS:
+        raise SpecError(
+            f"A measured history has {_HISTORY.size} bytes and {_ROW.size} for each of at most {MOST_ROWS} rows; "
+            f"{len(data)} bytes came."
+        )
+    _, version, channel, number = _HISTORY.unpack_from(data)
+    if version != VERSION:
+        raise SpecError(f"The measured history has version {version}; this server speaks version {VERSION}.")
+    if channel >= len(INPUT_CHANNELS):
+        raise SpecError(f"There is no input channel number {channel}: they are {', '.join(INPUT_CHANNELS)}, from 0 on.")
+    numbers = list(_ROW.iter_unpack(data[_HISTORY.size :]))
+    return number, PutInHistory(INPUT_CHANNELS[channel], tuple(t for t, _ in numbers), tuple(v for _, v in numbers))
 
 
 def read_text(text: str) -> dict[str, Any]:
