@@ -11,7 +11,14 @@ from fdes.cli import app
 from fdes.physics.derivatives import Dimensional
 
 NAVION = ["NAVION", "--condition", "M0.158_SL", "--form", "nelson", "--variant", "printed", "--json"]
-ABOUT = {"aircraft": "NAVION", "condition": "M0.158_SL", "form": "nelson", "variant": "printed", "units": "SI"}
+ABOUT = {
+    "aircraft": "NAVION",
+    "condition": "M0.158_SL",
+    "form": "nelson",
+    "variant": "printed",
+    "changes": [],
+    "units": "SI",
+}
 MODE = ["name", "axis", "eigenvalue", "omega_n", "zeta", "time_constant", "time_to_half", "time_to_double", "period"]
 
 

@@ -2,8 +2,18 @@
 
 from typing import TYPE_CHECKING
 
-from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, PlotFile, VariantName, form_of_equations
-from fdes.cli.output import about, number, print_json, screen, table
+from fdes.cli.options import (
+    AircraftName,
+    AsJson,
+    Changes,
+    ConditionName,
+    FormName,
+    PlotFile,
+    VariantName,
+    chosen,
+    form_of_equations,
+)
+from fdes.cli.output import about, heading, number, print_json, screen, table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,6 +31,7 @@ def modes(
     condition: ConditionName = None,
     form: FormName = "full",
     variant: VariantName = "corrected",
+    changes: Changes = None,
     plot: PlotFile = None,
     json: AsJson = False,
 ) -> None:
@@ -28,15 +39,14 @@ def modes(
 
     The form `full` is the default because it meets published modes best: docs/guide/3 has the figures.
     """
-    from fdes.aircraft import load
     from fdes.analysis import modes as modes_of
     from fdes.analysis.approximations import WITHOUT_COEFFICIENTS, compare, mode_report, static_figures
     from fdes.cli.plot import save_plot, target_of
 
     wanted, target = form_of_equations(form), target_of(plot)
-    ready = load(aircraft).at(condition, variant)
+    ready = chosen(aircraft, condition, variant, changes)
     found = modes_of(ready, wanted)
-    title = f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}"
+    title = heading(ready, form)
     if target is not None:
         from fdes.analysis.plots import s_plane
 

@@ -7,6 +7,7 @@ import typer
 from fdes.errors import NoSuchPart
 
 if TYPE_CHECKING:
+    from fdes.aircraft import FlightCondition
     from fdes.physics.derivatives import Form
 
 AircraftName = Annotated[
@@ -30,9 +31,24 @@ PlotFile = Annotated[
     str | None,
     typer.Option("--plot", metavar="FILE", help="Draw it too: .png, .svg, or .html to zoom and point at."),
 ]
+Changes = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="CHANGE",
+        help="Change a number: 'Cm_alpha=-0.3', 'Cn_r*=2', 'cg+=0.05', 'm=9000 kg'. Repeatable.",
+    ),
+]
 FLAG = ""  # a switch takes no value; Typer would show one
 
 AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
+
+
+def chosen(aircraft: str, condition: str | None, variant: str, changes: list[str] | None) -> "FlightCondition":
+    """The aircraft in its flight condition, with what `--set` changes. Raises FdesError."""
+    from fdes.aircraft import edited, load
+
+    return edited(load(aircraft).at(condition, variant), changes or ())
 
 
 def form_of_equations(form: str) -> "Form":

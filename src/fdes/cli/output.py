@@ -33,13 +33,20 @@ def print_json(data: Any) -> None:
     print(json.dumps(data, indent=2, allow_nan=False))
 
 
-def about(ready: "FlightCondition", form: str) -> dict[str, str]:
+def heading(ready: "FlightCondition", form: str) -> str:
+    """What a table or a plot says first: what it is about."""
+    changes = "".join(f", {change}" for change in ready.changes)
+    return f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values{changes}, form {form}"
+
+
+def about(ready: "FlightCondition", form: str) -> dict[str, Any]:
     """What JSON says first: what it is about."""
     return {
         "aircraft": ready.aircraft_id,
         "condition": ready.condition,
         "form": form,
         "variant": ready.variant,
+        "changes": [str(change) for change in ready.changes],
         "units": "SI",
     }
 

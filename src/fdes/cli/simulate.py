@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fdes.cli.options import FLAG, AircraftName, ConditionName, FormName, IntegratorName, PlotFile, VariantName
+from fdes.cli.options import (
+    FLAG,
+    AircraftName,
+    Changes,
+    ConditionName,
+    FormName,
+    IntegratorName,
+    PlotFile,
+    VariantName,
+    chosen,
+)
 from fdes.cli.output import note, number, screen, table
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
@@ -29,6 +39,7 @@ def simulate(
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     form: FormName = "full",
+    changes: Changes = None,
     inputs: Annotated[
         list[str] | None,
         typer.Option(
@@ -70,7 +81,6 @@ def simulate(
     plot: PlotFile = None,
 ) -> None:
     """Fly test inputs from trim, hands off, and write the response, the unit of every column with it."""
-    from fdes.aircraft import load
     from fdes.cli.plot import save_plot, target_of
     from fdes.flight import simulate as fly_it
 
@@ -79,7 +89,7 @@ def simulate(
     target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
-    ready = load(aircraft).at(condition, variant)
+    ready = chosen(aircraft, condition, variant, changes)
     response = fly_it(
         ready,
         inputs or (),
