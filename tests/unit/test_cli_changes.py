@@ -39,8 +39,16 @@ def test_simulate_flies_the_changed_aircraft() -> None:
     assert farthest_pitch_rate("--set", "Cm_q*=0") > 1.1 * farthest_pitch_rate()
 
 
-@pytest.mark.parametrize("command", ["modes", "simulate"])
+@pytest.mark.parametrize("command", ["modes", "derivatives", "simulate"])
 def test_change_that_cannot_be_made_ends_with_status_2(command: str) -> None:
     result = run(command, "NAVION", "--set", "Cm_alpa=-0.3")
     assert result.exit_code == 2
     assert "Did you mean 'Cm_alpha'?" in result.stderr
+
+
+def test_derivatives_are_those_of_the_changed_aircraft() -> None:
+    def pitch_damping(*more: str) -> float:
+        said = json.loads(run("derivatives", "A-4D", "--json", *more).stdout)
+        return float(said["dimensional"]["M_q"]["value"])
+
+    assert pitch_damping("--set", "Cm_q*=0.5") == pytest.approx(0.5 * pitch_damping())

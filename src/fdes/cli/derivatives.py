@@ -6,8 +6,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AircraftName, AsJson, ConditionName, FormName, VariantName, form_of_equations
-from fdes.cli.output import about, number, print_json, screen, table
+from fdes.cli.options import (
+    AircraftName,
+    AsJson,
+    Changes,
+    ConditionName,
+    FormName,
+    VariantName,
+    chosen,
+    form_of_equations,
+)
+from fdes.cli.output import about, heading, number, print_json, screen, table
 from fdes.errors import SpecError
 
 if TYPE_CHECKING:
@@ -25,19 +34,19 @@ def derivatives(
     condition: ConditionName = None,
     form: FormName = "full",
     variant: VariantName = "corrected",
+    changes: Changes = None,
     matrices: Annotated[
         str | None, typer.Option("--matrices", metavar="FILE", help="Write A and B: .tex, .mat or .json.")
     ] = None,
     json: AsJson = False,
 ) -> None:
     """Dimensional derivatives, A and B, in SI."""
-    from fdes.aircraft import load
     from fdes.analysis import linear_model
     from fdes.cli.plot import target_of
     from fdes.physics.derivatives import dimensional
 
     wanted, target = form_of_equations(form), target_of(matrices, MATRIX_FILES)
-    ready = load(aircraft).at(condition, variant)
+    ready = chosen(aircraft, condition, variant, changes)
     model = linear_model(ready, wanted)
     named = dimensional(ready.coefficients, ready.reference, wanted) if ready.nondimensional else None
     if target is not None:
@@ -54,7 +63,7 @@ def derivatives(
         )
         return
     show = screen()
-    show.print(f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}, SI\n")
+    show.print(f"{heading(ready, form)}, SI\n")
     if named:
         show.print(_dimensional_table(named))
     else:
@@ -70,7 +79,7 @@ def derivatives(
         show.print(f"{matrices} is written.", soft_wrap=True)
 
 
-def _write(path: Path, model: "LinearModel", said: dict[str, str]) -> None:
+def _write(path: Path, model: "LinearModel", said: dict[str, Any]) -> None:
     """Both sets in the format of the suffix. Raises SpecError where the disk does not take it."""
     from fdes.control.matrix_files import latex, save_mat
 
