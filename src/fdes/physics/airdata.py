@@ -12,8 +12,10 @@ from fdes.units import KilogramPerMeter3, MeterPerSecond, Number, Pascal
 def impact_pressure(mach: Number, p: Pascal) -> Pascal:
     """Pitot minus static pressure of air with a specific-heat ratio of 1.4, behind a normal shock above Mach 1."""
     if mach <= 1.0:
-        return p * (pow(1.0 + 0.2 * mach * mach, 3.5) - 1.0)
-    return p * (166.921580 * pow(mach, 7.0) / pow(7.0 * mach * mach - 1.0, 2.5) - 1.0)  # NACA 1135 eq. 100
+        ratio: float = pow(1.0 + 0.2 * mach * mach, 3.5)
+    else:
+        ratio = 166.921580 * pow(mach, 7.0) / pow(7.0 * mach * mach - 1.0, 2.5)  # NACA 1135 eq. 100
+    return p * (ratio - 1.0)
 
 
 def calibrated_airspeed(q_c: Pascal) -> MeterPerSecond:

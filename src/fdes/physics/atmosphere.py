@@ -1,4 +1,4 @@
-"""The US Standard Atmosphere 1976, to 86 km.
+"""The US Standard Atmosphere 1976, to 86 km, and days that are warmer or colder.
 
 Reference: U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, tables 3 and 4 and equations 18, 33a, 33b, 42, 50.
 """
@@ -28,7 +28,8 @@ _LAYERS = (
     (51000.0, -0.0028),
     (71000.0, -0.002),
 )
-_TOP = 86000.0
+BOTTOM: Meter = -5000.0
+TOP: Meter = 86000.0
 
 
 class Atmosphere(NamedTuple):
@@ -40,19 +41,24 @@ class Atmosphere(NamedTuple):
     a: MeterPerSecond
 
 
-def standard_atmosphere(h: Meter) -> Atmosphere:
-    """The standard day at geometric height `h` above mean sea level, -5 km to 86 km. Raises SpecError outside."""
-    if not -5000.0 <= h <= _TOP:
+def standard_atmosphere(h: Meter, warmer: Kelvin = 0.0) -> Atmosphere:
+    """The air at geometric height `h` above mean sea level, -5 km to 86 km. Raises SpecError outside.
+
+    On a day that is not standard the temperature is higher by `warmer` at all heights, and the pressure at a height is
+    that of the standard day, as for the pressure altitudes of ISO 2533 and of flight manuals.
+    """
+    if not BOTTOM <= h.real <= TOP:
         raise SpecError(f"The standard atmosphere reaches from -5,000 m to 86,000 m; height {h:,.0f} m is outside it.")
     H = R_EARTH * h / (R_EARTH + h)  # eq. 18, geopotential height
     T, p = T0, P0
-    for (base, lapse), (top, _) in zip(_LAYERS, (*_LAYERS[1:], (_TOP, 0.0)), strict=True):
-        thickness = min(H, top) - base
+    for (base, lapse), (top, _) in zip(_LAYERS, (*_LAYERS[1:], (TOP, 0.0)), strict=True):
+        thickness = (H if H.real < top else top) - base
         if lapse == 0.0:
             p *= exp(-G_STANDARD * thickness / (R_AIR * T))  # eq. 33b
         else:
             p *= pow(T / (T + lapse * thickness), G_STANDARD / (R_AIR * lapse))  # eq. 33a
             T += lapse * thickness
-        if top >= H:
+        if top >= H.real:
             break
+    T += warmer
     return Atmosphere(T, p, p / (R_AIR * T), sqrt(GAMMA_AIR * R_AIR * T))  # eq. 42, 50
