@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from fdes.aircraft import FlightCondition
 from fdes.analysis import Mode, modes
+from fdes.analysis.approximations import mode_report
 from fdes.analysis.step_limit import step_limit
 from fdes.cockpit.hub import RATE
 from fdes.control.laws.direct import Direct
@@ -54,7 +55,9 @@ def make_craft(condition: FlightCondition, form: str = "full", integrator: str =
         )
     plant = plant_of(condition, form, integrator, step)
     start = plant.start(max(condition.reference.h, START_HEIGHT))
-    natural = modes(condition, cast("Form", form))  # plant_of has checked the form
+    wanted = cast("Form", form)  # plant_of has checked it
+    natural = modes(condition, wanted)
+    told = mode_report(condition, wanted, natural)
     return Craft(
         condition=condition,
         form=form,
@@ -62,8 +65,9 @@ def make_craft(condition: FlightCondition, form: str = "full", integrator: str =
         setup=Setup(plant, Direct(condition.full_stick)),
         start=start,
         clock=Clock(step),
-        briefing=_briefing(condition, form, integrator, step, start.h) | {"step_limit": _limit(plant, natural)},
-        modes=[mode.as_dict() for mode in natural],
+        briefing=_briefing(condition, form, integrator, step, start.h)
+        | {"step_limit": _limit(plant, natural), "static": told["static"]},
+        modes=told["modes"],
     )
 
 

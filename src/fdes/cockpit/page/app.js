@@ -42,9 +42,9 @@ const cockpit = new Cockpit(
 );
 const topBar = new TopBar(link, cockpit, stick);
 const indicator = new StickIndicator(byId("stick"));
-const modes = new ModesPanel(byId("s-plane"), byId("modes-table"));
+const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
-const inputs = new InputsPanel(byId("panel-inputs"), command);
+const inputs = new InputsPanel(byId("panel-inputs"), command, link);
 const replayBar = new ReplayBar(byId("replay"), command);
 const picker = new AircraftPicker(byId("picker"), fly);
 const chooser = new SignalChooser(byId("chooser"), chart);
@@ -152,6 +152,7 @@ link.on("aircraft", (aircraft) => {
   topBar.showAircraft(aircraft);
   picker.setCurrent(aircraft);
   inputs.show(aircraft);
+  modes.showStatic(aircraft.static);
   drawSheet(byId("panel-aircraft"), aircraft);
 });
 link.on("modes", (message) => modes.show(message.modes));

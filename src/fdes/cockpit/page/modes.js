@@ -1,4 +1,4 @@
-/** The Modes tab: the s-plane, always in sight, and the table of the natural modes under it. */
+/** The Modes tab: the s-plane, always in sight, under it the table of the natural modes and a line of static figures. */
 
 import { html } from "./dom.js";
 import { drawSPlane, modeName } from "./s_plane.js";
@@ -10,17 +10,34 @@ const COLUMNS = [
   ["ζ", "Damping ratio; none for a real root"],
   ["τ, s", "Time constant"],
   ["T½, s", "Time to half amplitude; T2: to double it"],
-  ["Period", "Time of one oscillation, s"],
+  ["T, s", "Period: time of one oscillation"],
+  ["Cycles", "Periods until half the amplitude is left; ×2: until it has doubled"],
 ];
+const AIRLESS = "Dimensional derivatives: no static margin, n/α, roll rate.";
 
 export class ModesPanel {
-  constructor(plane, table) {
+  constructor(plane, table, figures) {
     this.plane = plane;
     this.table = table;
+    this.figures = figures;
     this.modes = [];
     new ResizeObserver(() => this.drawPlane()).observe(plane.parentElement);
     table.addEventListener("pointerover", ({ target }) => this.highlight(target.closest("tr")?.dataset.mode));
     table.addEventListener("pointerleave", () => this.highlight(null));
+    table.addEventListener("focusin", ({ target }) => this.highlight(target.closest("tr")?.dataset.mode));
+    table.addEventListener("focusout", () => this.highlight(null));
+    this.static = null;
+  }
+
+  /** Static margin and its relatives: numbers in SI, or null where the aircraft has none. */
+  showStatic(figures) {
+    this.static = figures;
+    this.describe(null);
+  }
+
+  /** The line under the table: the approximation to the mode pointed at, else the static figures. */
+  describe(mode) {
+    this.figures.textContent = mode ? approximation(mode) : staticFigures(this.static);
   }
 
   show(modes) {
@@ -53,23 +70,47 @@ export class ModesPanel {
       ...this.table.querySelectorAll("[data-mode]"),
     ])
       element.classList.toggle("is-pointed", element.dataset.mode === name);
+    this.describe(this.modes.find((mode) => mode.name === name));
   }
+}
+
+function staticFigures(figures) {
+  if (!figures) return AIRLESS;
+  const { static_margin, n_alpha, roll_rate } = figures;
+  const rolls = roll_rate === null ? "" : ` · roll ${figure(roll_rate)} °/s per °`;
+  return `Static margin ${figure(100 * static_margin)} % · n/α ${figure(n_alpha)} g/rad${rolls}`;
+}
+
+/** Nelson's approximation to a mode, and how far it is off. */
+function approximation({ name, approximation: nelson }) {
+  if (!nelson) return `${modeName(name)}: there is no approximation to it.`;
+  const [re, im] = nelson.eigenvalue;
+  const value = `${figure(re)}${im ? ` ± ${figure(im)} i` : ""} rad/s`;
+  const off = [
+    ["ωn", nelson.omega_n_error],
+    ["ζ", nelson.zeta_error],
+  ]
+    .filter(([, error]) => error !== null)
+    .map(([what, error]) => `${what} ${error < 0 ? "−" : "+"}${Math.abs(100 * error).toFixed(Math.abs(error) < 0.1 ? 1 : 0)} %`);
+  return `Nelson: ${value}, off by ${off.join(", ")}`;
 }
 
 function row(mode) {
   const { name, axis, omega_n, zeta, time_constant, time_to_half, time_to_double, period } = mode;
+  const { cycles_to_half, cycles_to_double } = mode;
   const growing = time_to_double !== null;
   const who = Object.entries(mode.participation ?? {})
     .map(([state, share]) => `${state} ${Math.round(100 * share)} %`)
     .join(", ");
   return html(
     "tr",
-    { "data-mode": name, title: who && `Who takes part: ${who}` },
+    { "data-mode": name, tabindex: 0, title: who && `Who takes part: ${who}` },
     html("th", { scope: "row" }, html("i", { class: `swatch ${axis}` }), modeName(name)),
     html("td", {}, figure(omega_n)),
     html("td", {}, period === null ? "–" : figure(zeta)),
     html("td", {}, figure(time_constant)),
     html("td", { class: growing ? "growing" : "" }, growing ? `T2 ${figure(time_to_double)}` : figure(time_to_half)),
     html("td", {}, figure(period)),
+    html("td", { class: growing ? "growing" : "" }, cycles_to_double ? `×2 ${figure(cycles_to_double)}` : figure(cycles_to_half)),
   );
 }
