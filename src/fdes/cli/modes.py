@@ -37,7 +37,8 @@ def modes(
 ) -> None:
     """Natural modes with damping and times, Nelson's approximations to them, static margin, n/alpha and roll rate.
 
-    The form `full` is the default because it meets published modes best: docs/guide/3 has the figures.
+    The form full is the default: over all published modes its mean error is the smallest, 0.8 % against 2.8 % (nelson)
+    and 5.7 % (paper). Compare with Nelson's book in nelson.
     """
     from fdes.analysis import modes as modes_of
     from fdes.analysis.approximations import WITHOUT_COEFFICIENTS, compare, mode_report, static_figures
