@@ -11,6 +11,7 @@ const STICK = [
   { keys: ["Z"], does: "Left pedal" },
   { keys: ["X"], does: "Right pedal" },
   { keys: ["PgUp", "PgDn"], does: "Throttle" },
+  { keys: ["M"], does: "The mouse as stick; M or Esc ends it" },
   { keys: ["Shift"], does: "Held with the stick: a third of its travel" },
 ];
 
@@ -20,7 +21,7 @@ const ADVICE = [
   "To turn, bank with →; to roll out, bank the other way. The linear aircraft keeps its height in a turn by itself: " +
     "a real one would need a little ↓.",
   "The aircraft is linear about its trim: beyond 15° the display says so, and it flies unlike the real one.",
-  "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, right stick for the pedals.",
+  "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, triggers for the pedals, cross for the throttle.",
 ];
 
 const table = (title, rows) =>

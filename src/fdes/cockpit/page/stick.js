@@ -1,10 +1,12 @@
 /**
- * Who moves the stick: keyboard or gamepad, as pitch (aft +), roll (right +), yaw (right pedal +), throttle (0..1).
+ * Who moves the stick: keyboard, mouse or gamepad, as pitch (aft +), roll (right +), yaw (right pedal +), throttle (0..1).
  *
  * A key does not throw the stick against its stop: the stick travels at a hand's rate while the key is down and
  * centers when it is let go. Shift holds it to a third of its travel, for small corrections.
  */
 
+import { Gamepads } from "./gamepad.js";
+import { MouseStick } from "./mouse_stick.js";
 import { clamp } from "./units.js";
 
 const KEYS = {
@@ -27,10 +29,6 @@ const BACK_RATE = 3.5; // full travel per second, towards the center
 const THROTTLE_RATE = 0.4; // full travel per second
 const GENTLE = 1 / 3;
 const LONGEST_STEP = 0.1; // s: a stalled page must not make the stick jump
-const DEAD_ZONE = 0.06;
-const PAD_CURVE = 1.4; // exponent: finer near the center
-// Axes and buttons in the standard mapping of the Gamepad API; the lever is that of a joystick.
-const PAD = { pitch: 1, roll: 0, yaw: 2, lever: 3, throttleUp: 7, throttleDown: 6 };
 
 const TYPING = "input, select, textarea, [contenteditable], dialog";
 const USES_ARROWS = "[role=tab]";
@@ -45,10 +43,15 @@ export class StickInput {
     this.held = new Set();
     this.gentle = false;
     this.stick = { pitch: 0, roll: 0, yaw: 0, throttle: 0 };
+    this.moved = { ...this.stick }; // what read() answers; one object, so that no frame leaves garbage
+    this.gamepads = new Gamepads();
+    this.mouse = new MouseStick(document.querySelector(".view"));
+    this.padName = null;
     this.trimThrottle = 0;
     this.source = "Keyboard";
     this.touched = false;
     this.onFirstInput = () => {};
+    this.onNotice = () => {}; // told in a sentence when another device takes or leaves the stick
     this.last = performance.now();
     addEventListener("keydown", (event) => this.press(event));
     addEventListener("keyup", (event) => {
@@ -60,11 +63,24 @@ export class StickInput {
 
   press(event) {
     this.gentle = event.shiftKey;
+    if (this.switchesMouse(event)) return;
     if (!KEYS[event.code] || isTaken(event)) return;
     if (event.code.startsWith("Arrow") && event.target.closest?.(USES_ARROWS)) return;
     event.preventDefault();
     this.held.add(event.code);
     this.notice();
+  }
+
+  switchesMouse(event) {
+    const leaves = event.code === "Escape" && this.mouse.active;
+    if ((event.code !== "KeyM" && !leaves) || event.repeat || isTaken(event)) return false;
+    this.mouse.toggle();
+    this.onNotice(
+      this.mouse.active
+        ? "Mouse stick: the pointer over the world flies. M or Escape ends it."
+        : "The keyboard flies. The stick is centered.",
+    );
+    return true;
   }
 
   release() {
@@ -89,9 +105,13 @@ export class StickInput {
     const dt = Math.min(LONGEST_STEP, (now - this.last) / 1000);
     this.last = now;
     this.followKeys(dt);
-    const pad = firstGamepad();
-    this.source = pad ? gamepadName(pad) : "Keyboard";
-    return pad ? this.withGamepad(pad, dt) : { ...this.stick };
+    Object.assign(this.moved, this.stick);
+    this.source = this.mouse.active ? "Mouse stick" : "Keyboard";
+    if (this.mouse.active) this.addMouse();
+    this.noticeGamepad(this.gamepads.find());
+    if (this.gamepads.pad) this.addGamepad(dt);
+    this.moved.throttle = this.stick.throttle;
+    return this.moved;
   }
 
   followKeys(dt) {
@@ -109,34 +129,32 @@ export class StickInput {
     this.stick.throttle = clamp(this.stick.throttle + want.throttle * THROTTLE_RATE * dt, 0, 1);
   }
 
-  /** The pad wins on every axis where it is off center; the keys keep the others. */
-  withGamepad(pad, dt) {
-    const stick = { ...this.stick };
-    for (const axis of AXES) {
-      const value = curve(pad.axes[PAD[axis]] ?? 0);
-      if (value !== 0) stick[axis] = value;
-    }
-    if (AXES.some((axis) => stick[axis] !== 0)) this.notice();
-    if (pad.mapping === "standard") {
-      const lever = (pad.buttons[PAD.throttleUp]?.value ?? 0) - (pad.buttons[PAD.throttleDown]?.value ?? 0);
-      this.stick.throttle = clamp(this.stick.throttle + lever * THROTTLE_RATE * dt, 0, 1);
-    } else if (pad.axes.length > PAD.lever) {
-      this.stick.throttle = (1 - pad.axes[PAD.lever]) / 2; // a joystick's lever is pushed forward to -1
-    }
-    stick.throttle = this.stick.throttle;
-    return stick;
+  addMouse() {
+    const { pitch, roll } = this.mouse;
+    if (pitch !== 0) this.moved.pitch = pitch;
+    if (roll !== 0) this.moved.roll = roll;
+    if (pitch !== 0 || roll !== 0) this.notice();
   }
-}
 
-function firstGamepad() {
-  return [...(navigator.getGamepads?.() ?? [])].find((pad) => pad?.connected);
-}
+  /** Says it when a device comes or goes; one that has gone holds nothing: the stick is then centered. */
+  noticeGamepad(pad) {
+    const name = pad ? this.gamepads.name : null;
+    if (name === this.padName) return;
+    this.onNotice(name ? `${name} flies.` : `${this.padName} is unplugged. The stick is centered; the keyboard flies.`);
+    this.padName = name;
+  }
 
-function gamepadName(pad) {
-  return pad.id.replace(/\s*\(.*/, "").slice(0, 18) || "Gamepad";
-}
-
-function curve(value) {
-  const size = Math.abs(value);
-  return size < DEAD_ZONE ? 0 : Math.sign(value) * ((size - DEAD_ZONE) / (1 - DEAD_ZONE)) ** PAD_CURVE;
+  /** The pad wins on every axis where it is off center; keys and mouse keep the others. */
+  addGamepad(dt) {
+    if (!this.mouse.active) this.source = this.padName;
+    for (const axis of AXES) {
+      const value = this.gamepads.shaped(axis);
+      if (value === 0) continue;
+      this.moved[axis] = value;
+      this.notice();
+    }
+    const throttle = this.gamepads.raw("throttle");
+    if (this.gamepads.hasLever) this.stick.throttle = (1 + throttle) / 2;
+    else this.stick.throttle = clamp(this.stick.throttle + throttle * THROTTLE_RATE * dt, 0, 1);
+  }
 }

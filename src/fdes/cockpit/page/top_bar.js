@@ -24,6 +24,7 @@ export class TopBar {
       framesBefore: 0,
       timer: null,
     });
+    stick.onNotice = (words) => this.say(words);
   }
 
   showHello(hello) {

@@ -1,0 +1,115 @@
+"""A student with a gamepad, or with the mouse as stick: the aircraft obeys, rubbish is survived, unplugging centers."""
+
+import json
+from typing import Any
+
+import pytest
+
+from fdes.units import DEG
+
+READY = "() => window.fdes && window.fdes.stats.frames > 5"
+NAME = "Test Pad (Vendor: 1234)"
+INJECT = """
+window.pad = { id: %s, index: 0, connected: true, mapping: "standard", axes: [0, 0, 0, 0],
+  buttons: Array.from({ length: 17 }, () => ({ value: 0, pressed: false })) };
+navigator.getGamepads = () => [window.pad, null];
+""" % json.dumps(NAME)  # noqa: UP031 - the script is full of braces
+
+
+@pytest.fixture
+def open_page(browser: Any, cockpit: str) -> Any:
+    """Opens the Fly page after `script` has run in it. Any error in the page fails the test."""
+    contexts: list[Any] = []
+    errors: list[str] = []
+
+    def opened(script: str = "") -> Any:
+        context = browser.new_context(viewport={"width": 1280, "height": 720})
+        contexts.append(context)
+        context.add_init_script(script)
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto(f"{cockpit}/?world=canvas2d&session=pad")
+        page.wait_for_function(READY)
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert errors == []
+
+
+def drawn(page: Any) -> dict[str, Any]:
+    """The values last drawn, SI and radians."""
+    return dict(page.evaluate("() => structuredClone(window.fdes.drawn)"))
+
+
+def axis(page: Any, number: int, value: float, seconds: float = 0.6) -> None:
+    page.evaluate(f"() => window.pad.axes[{number}] = {value}")
+    page.wait_for_timeout(1000 * seconds)
+
+
+def remembering(mapping: Any) -> str:
+    kept = json.dumps(json.dumps({NAME: mapping}))
+    return f"localStorage.setItem('fdes.gamepads', {kept});" + INJECT
+
+
+def test_right_stick_banks_right_and_the_heading_then_increases(open_page: Any) -> None:
+    page = open_page(INJECT)
+    axis(page, 0, 0.6)
+    axis(page, 0, 0.0)
+    banked = drawn(page)
+    assert banked["phi"] > 3 * DEG
+    page.wait_for_timeout(2000)
+    assert drawn(page)["psi"] > banked["psi"]
+
+
+def test_aft_stick_pitches_up_and_the_dead_zone_holds_zero(open_page: Any) -> None:
+    page = open_page(INJECT)
+    level = drawn(page)["theta"]
+    axis(page, 1, 0.05)
+    assert drawn(page)["stick_pitch"] == 0.0
+    axis(page, 1, 0.8)
+    assert drawn(page)["theta"] > level + 2 * DEG
+
+
+def test_a_remapped_and_inverted_axis_obeys(open_page: Any) -> None:
+    page = open_page(remembering({"roll": {"axis": 3, "invert": True, "center": 0.0}}))
+    axis(page, 0, 1.0)
+    assert drawn(page)["stick_roll"] == 0.0
+    axis(page, 3, 1.0)
+    assert drawn(page)["stick_roll"] == pytest.approx(-1.0)
+
+
+@pytest.mark.parametrize("rubbish", [7, {"roll": {"axis": "x"}, "deadZone": -4, "curve": None}, {"roll": None}])
+def test_rubbish_in_the_store_leaves_the_usual_mapping(open_page: Any, rubbish: Any) -> None:
+    page = open_page(remembering(rubbish))
+    axis(page, 0, 1.0)
+    assert drawn(page)["stick_roll"] == pytest.approx(1.0)
+
+
+def test_unplugging_centers_the_stick_and_says_so(open_page: Any) -> None:
+    page = open_page(INJECT)
+    axis(page, 0, 0.5)
+    assert drawn(page)["stick_roll"] > 0.2
+    page.evaluate("() => window.pad = null")
+    page.get_by_text("Test Pad is unplugged. The stick is centered").wait_for()
+    page.wait_for_timeout(300)
+    assert drawn(page)["stick_roll"] == 0.0
+
+
+def test_the_mouse_is_a_stick_until_escape(open_page: Any) -> None:
+    page = open_page()
+    box = page.locator(".view").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x + 120, y)
+    page.wait_for_timeout(300)
+    assert drawn(page)["stick_roll"] == 0.0
+    page.keyboard.press("m")
+    page.mouse.move(x + 100, y + 60)
+    page.wait_for_timeout(600)
+    flown = drawn(page)
+    assert flown["phi"] > 3 * DEG
+    assert flown["stick_pitch"] > 0.1
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(400)
+    assert drawn(page)["stick_roll"] == 0.0
