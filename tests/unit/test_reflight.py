@@ -88,7 +88,7 @@ def test_another_derivative_flies_differently_from_the_first_frame_that_feels_it
     def slack(header: Mapping[str, Any]) -> Setup:
         return remake({**header, "changes": [*header.get("changes", ()), "Cm_q*=0"]})
 
-    again = fly_again(recording, slack, {"whatif": ["Cm_q*=0"]})
+    again = fly_again(recording, slack, lambda header: {**header, "whatif": ["Cm_q*=0"]})
     assert again.recording.header["whatif"] == ["Cm_q*=0"]
     np.testing.assert_array_equal(again.recording["stick_pitch"], recording["stick_pitch"])
     np.testing.assert_array_equal(again.recording["state_q"][0], recording["state_q"][0])
@@ -152,3 +152,14 @@ def test_simulated_flight_says_what_it_was_and_can_be_flown_again() -> None:
     again = fly_again(flight, remake).recording
     np.testing.assert_allclose(again.data, flight.data, rtol=1e-9, atol=1e-11)
     assert flight.to_dataset().attrs["changes"] == '["Cm_q*=0.5"]'
+
+
+def test_what_is_saved_opens_as_it_was(recording: Recording, tmp_path: Path) -> None:
+    again = fly_again(recording, remake).recording
+    again.save(tmp_path / "again.fdes")
+    opened = open_recording(tmp_path / "again.fdes")
+    np.testing.assert_array_equal(opened.data, again.data)
+    assert (opened.edits, opened.columns, opened.complete) == (again.edits, again.columns, True)
+    assert opened.header == again.header
+    with pytest.raises(FileExistsError):
+        again.save(tmp_path / "again.fdes")

@@ -4,6 +4,7 @@ import json
 import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from html import escape
 from itertools import chain
 from pathlib import Path
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fdes.errors import RecordingError
-from fdes.flight.recorder import CHUNK, FORMAT, MAGIC, SUFFIX
+from fdes.flight.recorder import CHUNK, FORMAT, MAGIC, SUFFIX, chunk
 from fdes.physics.signals import Channel
 from fdes.units import UNIT_SYSTEMS
 
@@ -64,6 +65,26 @@ class Recording:
             coords={"t": ("t", self.data[:, 0], described[time.name])},
             attrs=header | {"edits": json.dumps(self.edits)},
         )
+
+    def save(self, path: Path) -> None:
+        """Write it as a recording at `path`, which must not exist, as the recorder would have written it.
+
+        Raises FileExistsError, OSError.
+        """
+        started = datetime.now(UTC).isoformat(timespec="seconds")
+        said = {"started": started, **self.header, "format": FORMAT, "columns": [c._asdict() for c in self.columns]}
+        times = self.data[:, 0]
+        begun = 0
+        with path.open("xb") as file:
+            file.write(MAGIC + chunk(b"HEAD", json.dumps(said).encode()))
+            for edit in self.edits:
+                until = int(np.searchsorted(times, edit["t"]))
+                file.write(chunk(b"ROWS", self.data[begun:until].astype("<f8").tobytes()) if until > begun else b"")
+                file.write(chunk(b"EDIT", json.dumps(edit).encode()))
+                begun = until
+            file.write(chunk(b"ROWS", self.data[begun:].astype("<f8").tobytes()))
+            if self.complete:
+                file.write(chunk(b"DONE", json.dumps({"reason": "saved", "frames": len(self.data)}).encode()))
 
     def to_csv(self, file: TextIO, units: str = "si") -> None:
         """Write as CSV, the unit of each column in its header: ``q [rad/s]``. `units` is ``si`` or ``us``."""

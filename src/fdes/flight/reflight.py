@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from fdes import __version__
 from fdes.control import Stick
 from fdes.errors import Departed, RecordingError
-from fdes.flight.recorder import columns_of, row_of
+from fdes.flight.recorder import ENGINE, columns_of, row_of
 from fdes.flight.recording import Recording
 from fdes.flight.response import disturbed
 from fdes.flight.simulation import Clock, Edit, Frame, Setup, fly
@@ -28,6 +29,7 @@ OF_THE_FRAME = {"t", "reset", "disturb", "memory"}  # in the note of an edit; al
 
 Remake = Callable[[Mapping[str, Any]], Setup]
 """Makes what flies from a recording's header, on which the notes of its edits have been laid up to some time."""
+Relabel = Callable[[Mapping[str, Any]], dict[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -38,10 +40,10 @@ class Reflight:
     departed: str | None
 
 
-def fly_again(recording: Recording, remake: Remake, more: Mapping[str, Any] | None = None) -> Reflight:
+def fly_again(recording: Recording, remake: Remake, relabel: Relabel = dict) -> Reflight:
     """Fly the inputs of `recording` once more, with what `remake` makes of its header and of each of its edits.
 
-    `more` is added to the header of what comes out. Raises RecordingError where the recording lacks what it needs.
+    `relabel` says what the header of what comes out is. Raises RecordingError where the recording lacks what it needs.
     """
     table = _Table(recording)
     edits = {float(e["t"]): e for e in recording.edits}
@@ -97,7 +99,7 @@ def fly_again(recording: Recording, remake: Remake, more: Mapping[str, Any] | No
         departed = str(ending)
     data = np.array(frames).reshape(len(frames), -1)
     columns = columns_of(type(start))
-    flown = header | {"columns": [c._asdict() for c in columns]} | dict(more or {})
+    flown = relabel(header) | {"engine": ENGINE, "fdes": __version__, "columns": [c._asdict() for c in columns]}
     return Reflight(Recording(flown, columns, data, tuple(notes), complete=departed is None), departed)
 
 
