@@ -9,7 +9,7 @@ import pytest
 
 from fdes.aircraft import Aircraft, FlightCondition, catalogue, load
 from fdes.aircraft.load import fold
-from fdes.aircraft.schema import Derivatives
+from fdes.aircraft.schema import UNLESS_SAID, Derivatives
 from fdes.physics.derivatives import Coefficients
 from fdes.physics.signals import Surfaces
 
@@ -93,7 +93,7 @@ def test_full_stick_is_pleasant_and_within_the_limits(fc: FlightCondition) -> No
 
 @pytest.mark.parametrize("fc", READY)
 def test_every_assumption_has_a_reason(fc: FlightCondition) -> None:
-    assert len(fc.assumed) == 2 * len(Surfaces._fields) + (not fc.nondimensional)
+    assert len(fc.assumed) == 2 * len(Surfaces._fields) + (not fc.nondimensional) + len(UNLESS_SAID)
     for assumption in fc.assumed.values():
         assert assumption.keys() == {"value", "unit", "reason"}
 

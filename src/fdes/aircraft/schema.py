@@ -18,6 +18,7 @@ from fdes.aircraft.dimensional import DimensionalDerivatives
 from fdes.aircraft.number import (
     Altitude,
     Angle,
+    AngularRate,
     Area,
     Assumption,
     Confidence,
@@ -122,7 +123,7 @@ class Derivatives(Part):
 class Assumed(Part):
     """What no source gives. Surface travel is counted from trim; a condition's own value goes before the file's.
 
-    The drag is assumed only beside dimensional derivatives, which do not say it.
+    The drag is assumed only beside dimensional derivatives, which do not say it. Actuators need not be mentioned.
     """
 
     max_thrust: Thrust | None = None
@@ -134,6 +135,15 @@ class Assumed(Part):
     full_stick_elevator: Travel | None = None
     full_stick_aileron: Travel | None = None
     full_pedal_rudder: Travel | None = None
+    actuator_bandwidth: AngularRate | None = None
+    surface_rate_limit: AngularRate | None = None
+
+
+_LIKE_THE_F16 = "of the size of the F-16's, in Stevens, Lewis and Johnson, Aircraft Control and Simulation"
+UNLESS_SAID = {
+    "actuator_bandwidth": Assumption(value=20.0, unit="rad/s", reason=_LIKE_THE_F16),
+    "surface_rate_limit": Assumption(value=60.0, unit="deg/s", reason=_LIKE_THE_F16),
+}
 
 
 class FlyingQualities(Part):
@@ -276,10 +286,10 @@ class AircraftFile(Part):
         return self
 
     def assumption(self, name: str, condition: Condition) -> Assumption | None:
-        """What is assumed for `condition` under that name: its own, else the file's."""
+        """What is assumed for `condition` under that name: its own, else the file's, else what is assumed of all."""
         own: Assumption | None = getattr(condition.assumed, name)
         general: Assumption | None = getattr(self.assumed, name)
-        return own or general
+        return own or general or UNLESS_SAID.get(name)
 
 
 def _cited(part: Part) -> list[str]:
