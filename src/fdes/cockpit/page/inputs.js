@@ -1,20 +1,12 @@
 /** The Inputs tab: test inputs on the surfaces, perturbations of the state, and how the equations are solved. */
 
 import { html } from "./dom.js";
+import { button, choice, row } from "./fields.js";
+import { HoldForm } from "./hold_form.js";
+import { InputForm } from "./input_form.js";
+import { Tabs } from "./tabs.js";
 import { figure } from "./units.js";
 
-// Shapes by the name the server knows, and what may be said of their time.
-const SHAPES = {
-  doublet: "for",
-  step: null,
-  pulse: "for",
-  "3-2-1-1": "for",
-  ramp: "for",
-  sine: "period",
-  sweep: "for",
-  multisine: "for",
-};
-const CHANNELS = { elevator: "deg", aileron: "deg", rudder: "deg", throttle: "" };
 const READY = [
   ["Elevator doublet", "doublet elevator 2deg for 1s"],
   ["Aileron pulse", "pulse aileron 5deg for 1s"],
@@ -32,63 +24,41 @@ const INTEGRATORS = ["rk4", "exact", "dopri5", "kutta_merson", "heun", "euler"];
 const STEPS = [1 / 120, 0.02, 0.04, 0.1, 0.2, 0.3, 0.5];
 
 export class InputsPanel {
-  /** `command(name, fields)` sends a command, shows its error, and says whether it was obeyed. */
-  constructor(panel, command) {
+  /** `command(name, fields)` sends a command, shows its error, and says whether it was obeyed; `link` is the wire. */
+  constructor(panel, command, link) {
     this.command = command;
-    this.shape = choice("Shape", Object.keys(SHAPES), "doublet");
-    this.channel = choice("On", Object.keys(CHANNELS), "elevator");
-    this.amplitude = number("Amplitude", 2, 0.5);
-    this.time = number("Time", 1, 0.1);
     this.form = choice("Equations", FORMS, "full");
     this.integrator = choice("Integrator", INTEGRATORS, "rk4");
     this.step = choice("Step", STEPS.map(stepName), stepName(STEPS[0]));
     this.limit = html("p", { class: "step-limit", role: "status" });
-    this.unit = html("span", { class: "unit" });
-    this.timeWord = html("span", { class: "unit" });
-    for (const { select } of [this.shape, this.channel]) select.addEventListener("change", () => this.label());
-    panel.replaceChildren(
-      html("h3", {}, "Put in a test input"),
-      row(READY.map(([name, text]) => button(name, () => this.command("input", { text })))),
-      html(
-        "div",
-        { class: "form-row" },
-        this.shape.label,
-        this.channel.label,
-        html("span", { class: "field" }, this.amplitude.label, this.unit),
-        html("span", { class: "field", id: "input-time" }, this.time.label, this.timeWord),
-        button("Put in", () => this.command("input", { text: this.text() })),
-        button("End all", () => this.command("clear_inputs")),
-      ),
-      html("h3", {}, "Disturb the state"),
-      row(DISTURBANCES.map(([name, text]) => button(name, () => this.command("disturb", { text })))),
-      html("h3", {}, "Solve the equations"),
-      html(
-        "div",
-        { class: "form-row" },
-        this.form.label,
-        this.integrator.label,
-        this.step.label,
-        button("Fly from trim with these", () => this.solve()),
-      ),
-      this.limit,
+    this.input = new InputForm(link, command);
+    this.hold = new HoldForm(command);
+    const ready = row(READY.map(([name, text]) => button(name, () => this.command("input", { text }))));
+    const disturb = row(DISTURBANCES.map(([name, text]) => button(name, () => this.command("disturb", { text }))));
+    const solve = html(
+      "div",
+      { class: "form-row" },
+      this.form.label,
+      this.integrator.label,
+      this.step.label,
+      button("Fly from trim with these", () => this.solve()),
     );
-    this.label();
-  }
-
-  /** The input as one would say it: ``doublet elevator 2deg for 1s``. */
-  text() {
-    const channel = this.channel.select.value;
-    const word = SHAPES[this.shape.select.value];
-    const said = [this.shape.select.value, channel, `${this.amplitude.input.value || "nothing"}${CHANNELS[channel]}`];
-    if (word) said.push(word, `${this.time.input.value || "nothing"}s`);
-    return said.join(" ");
-  }
-
-  label() {
-    const word = SHAPES[this.shape.select.value];
-    this.unit.textContent = CHANNELS[this.channel.select.value] || "of 1";
-    this.timeWord.textContent = word === "period" ? "s period" : "s";
-    this.time.label.parentElement.hidden = word === null;
+    const pages = {
+      "Ready-made": [html("h3", {}, "Put in a test input"), ready, html("h3", {}, "Disturb the state"), disturb],
+      "Test input": [this.input.element],
+      Hold: [this.hold.element],
+      Equations: [solve, this.limit],
+    };
+    const list = html("div", { role: "tablist", class: "sub", "aria-label": "Kinds of inputs" });
+    panel.replaceChildren(list);
+    for (const [name, children] of Object.entries(pages)) {
+      const id = `inputs-${name.toLowerCase().replace(" ", "-")}`;
+      list.append(html("button", { role: "tab", id: `tab-${id}`, "data-tab": id, "aria-controls": id }, name));
+      panel.append(html("div", { role: "tabpanel", id, "aria-labelledby": `tab-${id}` }, children));
+    }
+    this.tabs = new Tabs(list);
+    link.on("status", ({ held }) => this.hold.show(held));
+    link.on("hello", () => this.input.changed());
   }
 
   solve() {
@@ -117,26 +87,4 @@ export class InputsPanel {
 
 function stepName(step) {
   return step < 0.01 ? `1/${Math.round(1 / step)} s` : `${step} s`;
-}
-
-function button(name, action) {
-  return html("button", { type: "button", onclick: action }, name);
-}
-
-function row(children) {
-  return html("div", { class: "button-row" }, children);
-}
-
-function choice(name, options, chosen) {
-  const select = html(
-    "select",
-    {},
-    options.map((option) => html("option", { value: option, selected: option === chosen }, option.replaceAll("_", "-"))),
-  );
-  return { select, label: html("label", {}, html("span", {}, name), select) };
-}
-
-function number(name, value, step) {
-  const input = html("input", { type: "number", value, step });
-  return { input, label: html("label", {}, html("span", {}, name), input) };
 }

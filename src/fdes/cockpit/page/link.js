@@ -10,6 +10,7 @@ const HEADER = 32;
 const VERSION = 1;
 const STATE = 1;
 const INPUT = 2;
+const HISTORY = 3;
 const REPLY_WITHIN = 5000; // ms
 const BACKOFF = { first: 250, longest: 5000 }; // ms
 const STALE = 1500; // ms without a frame: the picture on the screen is no longer true
@@ -92,6 +93,7 @@ export class Link {
   /** `hello` brings the aircraft, its modes and the status along: they are told as if each had come by itself. */
   welcome(hello) {
     this.channels = hello.channels;
+    this.inputs = hello.inputs;
     this.index = Object.fromEntries(hello.channels.map((channel, i) => [channel.name, i]));
     for (const part of ["aircraft", "modes", "status"]) {
       this.latest.set(part, hello[part]);
@@ -137,12 +139,30 @@ export class Link {
 
   /** Sends a command; the promise brings the reply, or fails with the server's own sentence. */
   command(name, fields = {}) {
+    return this.ask(name, (id) => JSON.stringify({ type: "command", version: VERSION, id, name, ...fields }));
+  }
+
+  /** Sends a measured history, `times` [s] and `values` [SI], for a channel; the promise is as that of a command. */
+  upload(channel, { times, values }) {
+    return this.ask("measured", (id) => {
+      const view = new DataView(new ArrayBuffer(8 + 16 * times.length));
+      view.setUint8(0, HISTORY);
+      view.setUint8(1, VERSION);
+      view.setUint16(2, this.inputs.indexOf(channel), true);
+      view.setUint32(4, id, true);
+      times.forEach((t, k) => view.setFloat64(8 + 16 * k, t, true));
+      values.forEach((value, k) => view.setFloat64(16 + 16 * k, value, true));
+      return view.buffer;
+    });
+  }
+
+  ask(name, message) {
     if (!this.connected)
       return Promise.reject(new Error("No connection to the simulator. It is tried again by itself."));
     const id = ++this.commandId;
     const { promise, resolve, reject } = withResolvers();
     this.waiting.set(id, { resolve, reject });
-    this.socket.send(JSON.stringify({ type: "command", version: VERSION, id, name, ...fields }));
+    this.socket.send(message(id));
     setTimeout(() => {
       if (this.waiting.delete(id))
         reject(new Error(`The simulator did not answer "${name}" within ${REPLY_WITHIN / 1000} s.`));
