@@ -57,6 +57,7 @@ def test_a_value_is_held_until_it_is_let_go(page: Any) -> None:
     page.get_by_role("tab", name="Hold").click()
     entry = page.get_by_label("Hold aileron δa (+ rolls right), deg")
     entry.fill("1.25")
+    page.wait_for_timeout(1300)  # a status came meanwhile, and did not touch what was being typed
     entry.press("Enter")
     page.wait_for_function(f"() => Math.abs(window.fdes.drawn.aileron - {1.25 * DEG}) < 1e-6")
     page.get_by_role("button", name="Let go of all").click()

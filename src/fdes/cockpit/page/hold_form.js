@@ -49,12 +49,12 @@ export class HoldForm {
     }, BETWEEN);
   }
 
-  /** What is held, as the server's status says it, in SI. A field that is being changed is left alone. */
+  /** What is held, as the server's status says it, in SI. What is being typed or dragged is left alone. */
   show(held) {
     for (const [name, { slider, entry, unit, element, waiting }] of this.rows) {
       const value = held[name] ?? 0;
       element.classList.toggle("is-held", value !== 0);
-      if (waiting !== null || [slider, entry].includes(document.activeElement) && value !== 0) continue;
+      if (waiting !== null || entry === document.activeElement) continue;
       slider.value = entry.value = Number((unit === "deg" ? degrees(value) : value).toPrecision(6));
     }
   }
