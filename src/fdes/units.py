@@ -91,6 +91,10 @@ _TO_SI: dict[str, tuple[str, float]] = {
     "N m": ("N m", 1.0),
     "N m s": ("N m s", 1.0),
     "W": ("W", 1.0),
+    "rad/rad": ("rad/rad", 1.0),
+    "deg/deg": ("rad/rad", 1.0),
+    "rad/(rad/s)": ("rad/(rad/s)", 1.0),
+    "deg/(deg/s)": ("rad/(rad/s)", 1.0),
     "hp": ("W", 550.0 * POUND_FORCE * FOOT),
 }
 _ALIASES = {

@@ -1,0 +1,349 @@
+"""Control laws designed for an aircraft in its flight condition: gains for what is wanted of a mode.
+
+`law_for("yaw_damper zeta=0.4", condition)` is the law; beside it stands what was wanted, what the gain gives where it
+was designed, and what is flown at the step of the flight: a command held through a frame comes half a frame late, and
+that costs damping. What is out of reach is said, with the best there is.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, fields, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from fdes.aircraft import FlightCondition
+from fdes.analysis.closed_loop import close
+from fdes.analysis.linearize import linear_model
+from fdes.analysis.modes import modes
+from fdes.analysis.placement import Quantity, measure, nearest_root, one_gain, stable, two_gains
+from fdes.control import Law, LinearModel
+from fdes.control.laws.direct import Direct
+from fdes.control.spoken import WISHES, Loop, loops, units_of
+from fdes.errors import SpecError
+from fdes.physics.derivatives import Form
+
+FRAME = 1.0 / 120.0  # s: of the cockpit
+PAIR_ZETA = 0.8  # of a pair that is asked for by its speed alone
+
+
+class Rule(NamedTuple):
+    """How a law of the shelf is designed: which of its gains, for which mode, and what one may wish of that."""
+
+    gains: tuple[str, ...]
+    mode: str
+    wishes: tuple[Quantity, ...]
+
+
+RULES = {
+    "pitch_rate_damper": Rule(("gain",), "short_period", ("zeta",)),
+    "pitch_rate_pi": Rule(("gain", "integral_gain"), "short_period", ("zeta", "omega", "time_constant")),
+    "roll_angle": Rule(("gain", "rate_gain"), "roll", ("zeta", "omega", "time_constant")),
+    "roll_rate_damper": Rule(("gain",), "roll", ("time_constant",)),
+    "yaw_damper": Rule(("gain",), "dutch_roll", ("zeta",)),
+    "spiral_stabilization": Rule(("gain",), "spiral", ("time_constant",)),
+}
+
+
+@dataclass(frozen=True)
+class Achieved:
+    """What one loop was designed for, and what came of it, in the unit of `quantity`.
+
+    wanted: None where gains were given by hand. before: without this loop. designed: with this loop closed, where it
+    was designed. continuous and flown: of the whole law, continuous, and sampled at the frame of the flight.
+    reached: whether what was wanted could be had.
+    """
+
+    law: str
+    mode: str
+    quantity: Quantity
+    unit: str
+    wanted: float | None
+    before: float
+    designed: float
+    continuous: float
+    flown: float
+    reached: bool
+
+
+@dataclass(frozen=True)
+class Designed:
+    """A law with all its gains. `text` says it again, in full, without designing; `frame` [s] is that of `flown`.
+
+    gains: by law and field, in SI. notes: what whoever flies it should know.
+    """
+
+    law: Law
+    text: str
+    gains: Mapping[str, Mapping[str, float]]
+    achieved: tuple[Achieved, ...]
+    notes: tuple[str, ...]
+    frame: float
+
+
+class _Closed(NamedTuple):
+    """One loop closed round those inside it."""
+
+    law: Law
+    settings: dict[str, float]
+    achieved: Achieved | None
+    root: complex
+    notes: list[str]
+
+
+def law_for(
+    text: str,
+    condition: FlightCondition,
+    form: Form = "full",
+    dt: float | None = None,
+    frame: float | None = None,
+    own: Mapping[str, Any] | None = None,
+) -> Designed:
+    """The law that `text` names, for that aircraft: gains given, or designed for what is wished, or for a fair default.
+
+    With `dt` [s] it is designed in z at that step, else in s. `frame` [s] is the step it is flown at: `dt` unless said,
+    else that of the cockpit. `own` are laws beside those of the shelf, by name. Loops are closed in the order in which
+    they are said, each designed with those before it closed. Raises SpecError, NoSuchPart.
+
+    >>> import fdes
+    >>> designed = law_for("yaw_damper zeta=0.4", fdes.load("A-4D").at("M0.4_SL"))
+    >>> round(designed.achieved[0].continuous, 4)
+    0.4
+    """
+    step = frame or dt or FRAME
+    law: Law = Direct(condition.full_stick)
+    steps: list[tuple[Loop, _Closed]] = []
+    for loop in loops(text, own):
+        closed = _close_loop(loop, law, condition, form, dt)
+        law = closed.law
+        steps.append((loop, closed))
+    whole, flown = close(condition, law, form=form), close(condition, law, step, form=form)
+    achieved, notes = [], []
+    for _, closed in steps:
+        notes += closed.notes
+        if closed.achieved is None:
+            continue
+        s = nearest_root(whole, closed.root)
+        z = nearest_root(flown, s)
+        quantity = closed.achieved.quantity
+        achieved.append(replace(closed.achieved, continuous=measure(s, quantity), flown=measure(z, quantity)))
+    bare = [m.eigenvalue for m in modes(condition, form)]
+    if not stable(whole, bare):
+        notes.append("With these gains the closed loop has a mode that grows faster than any of the bare aircraft.")
+    elif not stable(flown, bare):
+        notes.append(f"Flown at {1.0 / step:g} frames a second, the closed loop is unstable: take smaller gains.")
+    return Designed(
+        law=law,
+        text="; ".join(_said(loop.name, closed.settings) for loop, closed in steps),
+        gains={loop.name: closed.settings for loop, closed in steps},
+        achieved=tuple(achieved),
+        notes=tuple(notes),
+        frame=step,
+    )
+
+
+def _said(name: str, settings: Mapping[str, float]) -> str:
+    """The law in words that give the same numbers again."""
+    angles = {"full_rate": "rad/s", "full_bank": "rad"}
+    return " ".join([name, *(f"{key}={value!r}{angles.get(key, '')}" for key, value in settings.items())])
+
+
+def _close_loop(loop: Loop, inner: Law, condition: FlightCondition, form: Form, dt: float | None) -> _Closed:
+    rule = RULES.get(loop.name)
+    units = units_of(loop.part)
+    settings = dict(loop.settings)
+    by_hand = rule is None or any(name in settings for name in rule.gains)
+    if by_hand and loop.wishes:
+        wish = next(iter(loop.wishes))
+        why = (
+            "FDES knows no design for it"
+            if rule is None
+            else f"its {next(n for n in rule.gains if n in settings)} is given"
+        )
+        raise SpecError(f"{loop.name} cannot be designed for {wish}: {why}. Say the gains, or what you want of them.")
+    settings = _from_aircraft(loop, condition, form) | settings
+    if by_hand and rule is not None:
+        settings |= {name: 0.0 for name in rule.gains if name not in settings}
+    missing = [
+        f.name
+        for f in fields(loop.part)
+        if f.name in units and f.default is MISSING and f.name not in settings and not (rule and f.name in rule.gains)
+    ]
+    if missing:
+        raise SpecError(f"{loop.name} needs {missing[0]}: write '{loop.name} {missing[0]}=...' [{units[missing[0]]}].")
+
+    def made(**gains: float) -> Law:
+        given = {
+            name: value for name, value in (("inner", inner), ("full_stick", condition.full_stick)) if _has(loop, name)
+        }
+        law: Law = loop.part(**given, **(settings | gains))
+        return law
+
+    def closed(**gains: float) -> LinearModel:
+        return close(condition, made(**gains), dt, form=form)
+
+    if rule is None:
+        return _Closed(made(), settings, None, 0j, [])
+    zero = dict.fromkeys(rule.gains, 0.0)
+    without = closed(**zero)
+    begin = _root_of(without, rule.mode)
+    if by_hand:
+        s = nearest_root(closed(), begin)
+        quantity = rule.wishes[0]
+        shown = _achieved(loop, rule, quantity, None, begin, s, reached=True)
+        return _Closed(made(), _all_settings(loop, settings, {}), shown, s, [])
+    if len(rule.gains) == 1 or (loop.name == "pitch_rate_pi" and not {"omega", "time_constant"} & set(loop.wishes)):
+        return _design_one(loop, rule, begin, closed, made, settings)
+    return _design_two(loop, rule, begin, closed, made, settings)
+
+
+def _design_one(
+    loop: Loop,
+    rule: Rule,
+    begin: complex,
+    closed: Callable[..., LinearModel],
+    made: Callable[..., Law],
+    settings: dict[str, float],
+) -> _Closed:
+    """One gain; of two, the second in proportion, so that the zero of a PI lies at half the natural frequency."""
+    gain, *second = rule.gains
+    quantity = rule.wishes[0]
+    has = measure(begin, quantity)
+    wanted = _wishes(loop, rule).get(quantity) or (PAIR_ZETA if second else _fair(rule.mode, quantity, has))
+
+    def gains(k: float) -> dict[str, float]:
+        return {gain: k, **{name: 0.5 * abs(begin) * k for name in second}}
+
+    found = one_gain(lambda k: closed(**gains(k)), begin, quantity, wanted)
+    notes, unit = [], f" {WISHES[quantity]}".removesuffix(" 1")
+    what = f"{loop.name}: {quantity} {wanted:.3g}{unit}"
+    if not found.reached and found.gain == 0.0:
+        notes.append(
+            f"{what} is no better than the {has:.3g}{unit} of the {_words(rule.mode)} without it: the gain is 0."
+        )
+    elif not found.reached:
+        best = measure(found.root, quantity)
+        why = (
+            " With more gain another mode would come within 6 dB of growing." if found.gain > 0.95 * found.limit else ""
+        )
+        notes.append(
+            f"{what} is out of reach. The best that a positive gain attains is {best:.3g}{unit}, at gain "
+            f"{found.gain:.4g}, which is taken.{why}"
+        )
+    shown = _achieved(loop, rule, quantity, wanted, begin, found.root, reached=found.reached)
+    taken = gains(found.gain)
+    return _Closed(made(**taken), _all_settings(loop, settings, taken), shown, found.root, notes)
+
+
+def _design_two(
+    loop: Loop,
+    rule: Rule,
+    begin: complex,
+    closed: Callable[..., LinearModel],
+    made: Callable[..., Law],
+    settings: dict[str, float],
+) -> _Closed:
+    """A pair where it is wanted, with both gains positive: else the nearest natural frequency at which they are."""
+    first, second = rule.gains
+    wished = _wishes(loop, rule)
+    zeta = wished.get("zeta", PAIR_ZETA)
+    if not 0.0 < zeta < 1.0:
+        raise SpecError(f"{loop.name} cannot be designed for zeta {zeta:g}: a pair has more than 0 and less than 1.")
+    omega = wished.get("omega", abs(begin))
+    if "time_constant" in wished:
+        if "omega" in wished:
+            raise SpecError(f"{loop.name} is asked for omega and for time_constant: with zeta, one of them is enough.")
+        omega = 1.0 / (zeta * wished["time_constant"])
+
+    placing = two_gains(lambda a, b: closed(**{first: a, second: b}))
+
+    def gains_at(w: float) -> tuple[float, float] | None:
+        found = placing(w * complex(-zeta, np.sqrt(1.0 - zeta * zeta)))
+        return found if found and min(found) >= 0.0 else None
+
+    found, reached, notes, quantity = gains_at(omega), True, [], rule.wishes[0]
+    if found is None:
+        near = [w for w in omega * np.geomspace(0.1, 10.0, 401) if gains_at(w)]
+        if not near:
+            raise SpecError(
+                f"{loop.name} cannot give zeta {zeta:.3g}: no natural frequency from {0.1 * omega:.3g} to "
+                f"{10.0 * omega:.3g} rad/s has it with positive gains. Ask for another zeta."
+            )
+        taken = float(min(near, key=lambda w: abs(np.log(w / omega))))
+        found, reached = gains_at(taken), False
+        notes.append(
+            f"{loop.name}: omega {omega:.3g} rad/s with zeta {zeta:.3g} is out of reach with positive gains. "
+            f"The nearest is {taken:.3g} rad/s, which is taken."
+        )
+        omega = taken
+    if found is None:
+        raise SpecError(f"{loop.name} cannot be designed here: its gains do not move the {_words(rule.mode)}.")
+    gains = dict(zip(rule.gains, found, strict=True))
+    root = omega * complex(-zeta, np.sqrt(1.0 - zeta * zeta))
+    shown = _achieved(loop, rule, quantity, zeta, begin, nearest_root(closed(**gains), root), reached=reached)
+    return _Closed(made(**gains), _all_settings(loop, settings, gains), shown, root, notes)
+
+
+def _achieved(
+    loop: Loop, rule: Rule, quantity: Quantity, wanted: float | None, begin: complex, s: complex, *, reached: bool
+) -> Achieved:
+    has = measure(s, quantity)
+    before = measure(begin, quantity)
+    return Achieved(loop.name, rule.mode, quantity, WISHES[quantity], wanted, before, has, has, has, reached)
+
+
+def _fair(mode: str, quantity: Quantity, has: float) -> float:
+    """What a law named bare is designed for: well damped or quick, and a good deal better than the bare aircraft."""
+    if quantity == "zeta":
+        least = 0.7 if mode == "short_period" else 0.4
+        return min(max(least, 1.5 * has), 0.95)
+    return min(20.0 if mode == "spiral" else 1.0, 0.5 * has)
+
+
+def _wishes(loop: Loop, rule: Rule) -> Mapping[str, float]:
+    for name, value in loop.wishes.items():
+        if name not in rule.wishes:
+            raise SpecError(f"{loop.name} cannot be designed for {name}: it can for {', '.join(rule.wishes)}.")
+        if value <= 0.0:
+            raise SpecError(f"{loop.name} cannot be designed for {name} {value:g}: it must be positive.")
+    if len(rule.gains) == 1 and loop.wishes.get("zeta", 0.0) >= 1.0:
+        raise SpecError(
+            f"{loop.name} cannot be designed for zeta {loop.wishes['zeta']:g}: an oscillation has less than 1."
+        )
+    return loop.wishes
+
+
+def _from_aircraft(loop: Loop, condition: FlightCondition, form: Form) -> dict[str, float]:
+    """What a command law has from the aircraft: the rate of the bare one at full stick, and the elevator's stops."""
+    if loop.name != "pitch_rate_pi":
+        return {}
+    model = linear_model(condition, form)
+    short = model.part(("w", "q"), ("elevator",))
+    rate = -np.linalg.solve(short.A, short.B)[1, 0] * condition.full_stick.elevator
+    limits = condition.limits
+    return {"full_rate": float(abs(rate)), "lower": limits.lower.elevator, "upper": limits.upper.elevator}
+
+
+def _root_of(model: LinearModel, mode: str) -> complex:
+    """The root that is the mode, or what has become of it."""
+    found = modes(model)
+    named = [m for m in found if m.name == mode] or [m for m in found if mode in m.name]
+    if not named:
+        raise SpecError(f"There is no {_words(mode)} to design for: the modes are {', '.join(m.name for m in found)}.")
+    return named[0].eigenvalue
+
+
+def _all_settings(loop: Loop, settings: Mapping[str, float], gains: Mapping[str, float]) -> dict[str, float]:
+    """Every setting of the law, what it has by default too."""
+    defaults = {
+        f.name: f.default for f in fields(loop.part) if f.name in units_of(loop.part) and f.default is not MISSING
+    }
+    every = defaults | dict(settings) | dict(gains)
+    return {name: every[name] for name in units_of(loop.part)}
+
+
+def _has(loop: Loop, name: str) -> bool:
+    return any(f.name == name for f in fields(loop.part))
+
+
+def _words(mode: str) -> str:
+    return mode.replace("_", " ")
