@@ -44,7 +44,8 @@ class Shelf:
         foreign = self._foreign()
         if name in foreign:
             return foreign[name].load()
-        raise NoSuchPart(self.name.removesuffix("s"), name, self.names())
+        one = "criterion" if self.name == "criteria" else self.name.removesuffix("s")
+        raise NoSuchPart(one, name, self.names())
 
     def _own(self) -> list[str]:
         return [m.name for m in iter_modules(import_module(self.package).__path__)]

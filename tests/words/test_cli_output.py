@@ -20,6 +20,7 @@ CONDITIONS = [(a.id, c.id) for a in catalogue() for c in a.conditions]
 COMMANDS = [
     ["fly"],
     ["modes"],
+    ["qualities"],
     ["derivatives"],
     ["simulate"],
     ["aircraft"],

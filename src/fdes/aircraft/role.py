@@ -90,15 +90,11 @@ class Role:
                 )
             role = replace(role, category=belongs, phase=code)
         given = [word for word in (airplane_class, category, phase) if word is not None]
-        return replace(role, reason="as asked for" if len(given) == 3 else _amended(role, given))
+        return replace(role, reason=f"{', '.join(given)} as asked for; the rest: {role.reason}") if given else role
 
 
-def _amended(role: Role, given: list[str]) -> str:
-    return f"{' and '.join(given)} as asked for; else {role.reason}" if given else role.reason
-
-
-# The strictest: what is good enough here is good enough everywhere. It holds where nobody says anything else.
-STRICTEST = Role("IV", "A", None, "nothing says otherwise, and these are the strictest")
+# What holds where nobody says anything else.
+STRICTEST = Role("IV", "A", None, "the default, because it is the strictest")
 
 
 def read_class(text: str) -> AirplaneClass:

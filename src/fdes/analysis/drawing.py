@@ -6,6 +6,7 @@ Both libraries are imported when something is drawn. Colors are those of M. Okab
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import log10
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Literal
@@ -31,7 +32,7 @@ PIXELS = 96  # per inch, of a page
 
 @dataclass(frozen=True)
 class Curve:
-    """A line, or crosses where `line` is none. Without a label it is not in the legend."""
+    """A line, or crosses where `line` is none. Without a label, or said not to be, it is not in the legend."""
 
     x: Sequence[float]
     y: Sequence[float]
@@ -39,6 +40,7 @@ class Curve:
     color: str = COLORS[0]
     line: Line = "solid"
     width: float = 1.6
+    in_legend: bool = True
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,8 @@ class Panel:
     y_range: tuple[float, float] | None = None
     title: str = ""
     equal: bool = False
+    x_log: bool = False
+    y_log: bool = False
 
 
 @dataclass(frozen=True)
@@ -115,7 +119,7 @@ def _save_with_matplotlib(drawing: Drawing, path: Path) -> None:
                     marker="x" if curve.line == "none" else None,
                     markersize=8,
                     markeredgewidth=2,
-                    label=curve.label or "_nolegend_",
+                    label=(curve.in_legend and curve.label) or "_nolegend_",
                 )
             for note in panel.notes:
                 axes.annotate(
@@ -130,12 +134,14 @@ def _save_with_matplotlib(drawing: Drawing, path: Path) -> None:
                     annotation_clip=False,
                 )
             axes.set(ylabel=panel.y_label, title=panel.title)
+            axes.set_xscale("log" if panel.x_log else "linear")
+            axes.set_yscale("log" if panel.y_log else "linear")
             axes.set(**{k: v for k, v in (("xlim", panel.x_range), ("ylim", panel.y_range)) if v is not None})
             if panel.equal:
                 axes.set_aspect("equal")
             else:
                 axes.grid(visible=True, color=GRID, linewidth=0.5)
-            if drawing.stacked:
+            if drawing.stacked and any(curve.label and curve.in_legend for curve in panel.curves):
                 axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
         for axes, panel in zip(grid.flat, drawing.panels, strict=True):
             if not drawing.stacked or panel is drawing.panels[-1]:
@@ -172,7 +178,7 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
                 x=list(curve.x),
                 y=list(curve.y),
                 name=curve.label,
-                showlegend=bool(curve.label),
+                showlegend=bool(curve.label) and curve.in_legend,
                 legend=f"legend{number}" if drawing.stacked else "legend",
                 mode="markers" if crosses else "lines",
                 line=None if crosses else {"color": curve.color, "dash": curve.line, "width": curve.width},
@@ -200,6 +206,7 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
         last = not drawing.stacked or k == n - 1
         plot.update_xaxes(title_text=panel.x_label if last else None, range=panel.x_range, row=row, col=column)
         plot.update_yaxes(title_text=panel.y_label, range=panel.y_range, row=row, col=column)
+        _logarithmic(plot, panel, row, column)
         if panel.equal:
             plot.update_xaxes(constrain="domain", showgrid=False, zeroline=False, row=row, col=column)
             plot.update_yaxes(
@@ -216,3 +223,13 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
     plot.update_xaxes(showline=True, linecolor=GRID, ticks="outside", mirror=True)
     plot.update_yaxes(showline=True, linecolor=GRID, ticks="outside", mirror=True)
     return plot
+
+
+def _logarithmic(plot: "PlotlyFigure", panel: Panel, row: int, column: int) -> None:
+    """Plotly wants the ends of a logarithmic axis as exponents."""
+    for log, ends, update in (
+        (panel.x_log, panel.x_range, plot.update_xaxes),
+        (panel.y_log, panel.y_range, plot.update_yaxes),
+    ):
+        if log:
+            update(type="log", range=ends and [log10(end) for end in ends], row=row, col=column)

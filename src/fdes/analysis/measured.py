@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fdes.analysis.modes import Mode, modes
 from fdes.control import LinearModel
@@ -57,8 +58,17 @@ class Pair(NamedTuple):
     zeta: float | None
 
 
-def measure(model: LinearModel, delay: float | None = None, found: Sequence[Mode] | None = None) -> Measured:
-    """Measure `model`. `delay` [s] is that of everything between stick and surface; `found` its modes, where known."""
+def measure(
+    model: LinearModel,
+    delay: float | None = None,
+    found: Sequence[Mode] | None = None,
+    airframe: LinearModel | None = None,
+) -> Measured:
+    """Measure `model`.
+
+    delay [s]: of everything between stick and surface, else what the model shows of it. found: the modes of the model,
+    where they are known. airframe: the model without law and actuators, of which n/alpha is taken; else the model's.
+    """
     named = {mode.name: mode for mode in (modes(model) if found is None else found)}
     missing: dict[str, str] = {}
     notes: dict[str, str] = {}
@@ -69,11 +79,11 @@ def measure(model: LinearModel, delay: float | None = None, found: Sequence[Mode
     roll, spiral, coupled = (named.get(name) for name in ("roll", "spiral", "roll_spiral"))
     missing["tau_roll"], missing["t2_spiral"] = _gone("roll", named), _gone("spiral", named)
     missing["damping_rs"] = "Roll and spiral are separate modes." if coupled is None else ""
-    missing["delay"] = "The model holds no actuator, sensor or computer between stick and surface: give its delay."
+    missing["delay"] = "The model has no actuator and no computer between stick and surface: give their delay."
     return Measured(
         omega_sp=short_period and short_period.omega,
         zeta_sp=short_period and short_period.zeta,
-        n_alpha=n_alpha(model),
+        n_alpha=n_alpha(airframe or model),
         zeta_ph=phugoid and phugoid.zeta,
         t2_ph=_doubling(phugoid),
         t2_speed=_speed_divergence(named),
@@ -83,7 +93,7 @@ def measure(model: LinearModel, delay: float | None = None, found: Sequence[Mode
         tau_roll=None if roll is None else -1.0 / _away_from_zero(roll.eigenvalue.real),
         t2_spiral=None if spiral is None else _t2(spiral.eigenvalue.real),
         damping_rs=None if coupled is None else -coupled.eigenvalue.real,
-        delay=delay,
+        delay=delay_of(model) if delay is None else delay,
         missing={name: reason for name, reason in missing.items() if reason},
         notes=notes,
     )
@@ -92,12 +102,12 @@ def measure(model: LinearModel, delay: float | None = None, found: Sequence[Mode
 def n_alpha(model: LinearModel) -> float:
     """Steady load factor per radian of angle of attack in a pull-up by elevator at constant speed [1/rad].
 
-    From w_dot = q_dot = 0 with the elevator eliminated, so that feedback to the elevator, which moves the poles, leaves
+    From w and q at rest with the elevator eliminated, so that feedback to the elevator, which moves the poles, leaves
     it as it is. Without lift on the elevator it is -Z_alpha/g. MIL-F-8785C, pages 76 and 77.
     """
     V, g = float(model.point["V"]), float(model.point["g"])
     w, q = model.states.index("w"), model.states.index("q")
-    A = model.A
+    A = model.A if model.dt is None else (model.A - np.eye(len(model.states))) / model.dt
     by_surface = _elevator(model)
     Z_de, M_de = (1.0, 0.0) if by_surface is None else (float(by_surface[w]), float(by_surface[q]))
     if M_de == 0.0:
@@ -106,20 +116,41 @@ def n_alpha(model: LinearModel) -> float:
     return float(-lift / turn * V * V / g) if turn else 0.0
 
 
-def _elevator(model: LinearModel) -> "np.ndarray[tuple[int], np.dtype[np.float64]] | None":
-    """What a unit of elevator does to the rates of the states."""
-    for names, matrix in ((model.states, model.A), (model.inputs, model.B)):
-        if "elevator" in names:
-            return np.asarray(matrix[:, names.index("elevator")])
-    return None
+def _elevator(model: LinearModel) -> NDArray[np.float64] | None:
+    """What elevator does to the states, up to a factor: through its actuator, where there is one."""
+    if "elevator_actuator" in model.states:
+        return np.asarray(model.A[:, model.states.index("elevator_actuator")])
+    return np.asarray(model.B[:, model.inputs.index("elevator")]) if "elevator" in model.inputs else None
+
+
+def delay_of(model: LinearModel) -> float | None:
+    """The delay that the model holds between stick and surface [s]: its slowest actuator, and half a frame of hold.
+
+    A lag counts by the slope of its phase at low frequency, the sum of -1/s over its roots. None without either.
+    """
+    lags = [_lag(model, surface) for surface in ("elevator", "aileron", "rudder")]
+    slowest = max((lag for lag in lags if lag is not None), default=None)
+    if slowest is None and model.dt is None:
+        return None
+    return (slowest or 0.0) + 0.5 * (model.dt or 0.0)
+
+
+def _lag(model: LinearModel, surface: str) -> float | None:
+    rows = [k for k, name in enumerate(model.states) if name in {f"{surface}_actuator", f"{surface}_actuator_rate"}]
+    if not rows:
+        return None
+    roots = np.linalg.eigvals(model.A[np.ix_(rows, rows)]).astype(complex)
+    if model.dt is not None:
+        roots = np.log(roots) / model.dt
+    return float(-(1.0 / roots).sum().real)
 
 
 def phi_beta(model: LinearModel, eigenvalue: complex) -> float | None:
-    """|phi / beta| in the mode of that eigenvalue, from its eigenvector; None where there is no sideslip in it."""
-    lateral = model.lateral()
-    values, vectors = np.linalg.eig(lateral.A)
-    vector = vectors[:, int(np.argmin(np.abs(values - eigenvalue)))]
-    beta, phi = (abs(vector[lateral.states.index(name)]) for name in ("beta", "phi"))
+    """|phi / beta| in the mode of that eigenvalue [rad/s], from its eigenvector; None where it does not sideslip."""
+    values, vectors = np.linalg.eig(model.A)
+    root = eigenvalue if model.dt is None else np.exp(eigenvalue * model.dt)
+    vector = vectors[:, int(np.argmin(np.abs(values - root)))]
+    beta, phi = (abs(vector[model.states.index(name)]) for name in ("beta", "phi"))
     return float(phi / beta) if beta > 0.0 else None
 
 

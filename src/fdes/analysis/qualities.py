@@ -29,17 +29,19 @@ def assess(
     form: Form = "full",
     delay: float | None = None,
     found: Sequence[Mode] | None = None,
+    airframe: LinearModel | None = None,
     criteria: Iterable[str] | None = None,
 ) -> list[Verdict]:
     """One verdict per criterion, on a linear model or on an aircraft in a flight condition.
 
     The model may be that of an edited aircraft or of a closed loop. role: Class, Category and Flight Phase, else those
     of the aircraft's file, else the strictest. delay [s]: of all that lies between stick and surface. found: the modes
-    of the model, where they are known already. criteria: their names, else the whole shelf.
+    of the model, where they are known already. airframe: the model without law and actuators, for n/alpha; a sampled
+    closed loop gives it to 2 %. criteria: their names, else the whole shelf.
     Raises NoSuchPart for an unknown criterion.
     """
     model = of if isinstance(of, LinearModel) else linear_model(of, form)
-    return judge(measure(model, delay, found), role or _role(of), criteria)
+    return judge(measure(model, delay, found, airframe), role or _role(of), criteria)
 
 
 def judge(measured: Measured, role: Role, criteria: Iterable[str] | None = None) -> list[Verdict]:

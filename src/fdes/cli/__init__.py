@@ -19,6 +19,7 @@ from fdes.cli.fly import fly
 from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
+from fdes.cli.qualities import qualities
 from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_file
 from fdes.cli.shelves import shelves
 from fdes.cli.simulate import simulate
@@ -61,6 +62,7 @@ app = typer.Typer(
 )
 app.command(epilog="Example: fdes fly NAVION --form nelson")(fly)
 app.command(epilog="Example: fdes modes NAVION --form nelson --variant printed")(modes)
+app.command(epilog="Example: fdes qualities A-4D --category A --plot levels.html")(qualities)
 app.command(epilog="Example: fdes derivatives B747 --condition M0.90_40kft --json")(derivatives)
 app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',

@@ -104,7 +104,7 @@ def _frequency(m: Measured, role: Role) -> list[Verdict]:
         return [asks.not_applicable(f"n/alpha is {n_alpha:.3g} g/rad: figures 1 to 3 begin above zero.")]
     cap = control_anticipation(omega, n_alpha)
     source = f"omega_sp {omega:.3g} rad/s and n/alpha {n_alpha:.3g} g/rad"
-    parts = [asks.graded(cap, limits, f"CAP is {cap:.3g} 1/(g s^2), from {source}")]
+    parts = [asks.graded(cap, limits, f"CAP is {cap:#.3g} 1/(g s^2), from {source}")]
     for symbol, value, unit, bands in (
         ("omega_sp", omega, "rad/s", floors(role).omega),
         ("n/alpha", n_alpha, "g/rad", floors(role).n_alpha),
@@ -120,48 +120,58 @@ def charts(m: Measured, role: Role) -> list[Chart]:
     verdict = evaluate(m, role)
     known = m.omega_sp is not None and m.omega_sp > 0.0 and m.n_alpha is not None and m.n_alpha > 0.0
     omega, n_alpha = (m.omega_sp or 1.0, m.n_alpha or 1.0) if known else (1.0, 1.0)
+    cap = control_anticipation(omega, n_alpha)
+    zeta = m.zeta_sp if known and m.zeta_sp is not None and m.zeta_sp > 0.0 else None
+    x, y = _axis("n/alpha", "g/rad", 1.0, 100.0, n_alpha), _axis("omega_sp", "rad/s", 0.1, 20.0, omega)
     figure = Chart(
         criterion=NAME,
         title=f"Short-period frequency, Category {role.category}",
         reference=f"MIL-F-8785C, {FIGURE[role.category]}",
-        x=ChartAxis("n/alpha", "g/rad", min(1.0, n_alpha / 1.5), max(100.0, 1.5 * n_alpha), log=True),
-        y=ChartAxis("omega_sp", "rad/s", min(0.1, omega / 1.5), max(20.0, 1.5 * omega), log=True),
-        boundaries=tuple(line for level in (1, 2, 3) for line in _lines(level, role)),
+        x=x,
+        y=y,
+        boundaries=tuple(line for level in (1, 2, 3) for line in _lines(level, role, x, y)),
         point=(n_alpha, omega) if known else None,
         level=verdict.level,
     )
-    zeta = m.zeta_sp if known and m.zeta_sp is not None and m.zeta_sp > 0.0 else None
-    cap = control_anticipation(omega, n_alpha)
+    x, y = _axis("zeta_sp", "1", 0.05, 5.0, zeta or 1.0), _axis("CAP", "1/(g s^2)", 0.01, 20.0, cap)
     plane = Chart(
         criterion=NAME,
         title=f"Short-period damping and CAP, Category {role.category}",
         reference=f"MIL-F-8785C, table IV, page 13, and {FIGURE[role.category]}",
-        x=ChartAxis("zeta_sp", "1", min(0.05, (zeta or 1.0) / 1.5), max(5.0, 1.5 * (zeta or 1.0)), log=True),
-        y=ChartAxis("CAP", "1/(g s^2)", min(0.01, cap / 1.5), max(20.0, 1.5 * cap), log=True),
-        boundaries=tuple(_box(level, role) for level in (1, 2, 3)),
+        x=x,
+        y=y,
+        boundaries=tuple(_box(level, role, x, y) for level in (1, 2, 3)),
         point=None if zeta is None else (zeta, cap),
         level=verdict.level,
     )
     return [figure, plane]
 
 
-def _lines(level: int, role: Role) -> list[Boundary]:
+def _axis(label: str, unit: str, low: float, high: float, value: float) -> ChartAxis:
+    """The axis of the figure, longer where the point would not be on it."""
+    return ChartAxis(label, unit, min(low, value / 1.5), max(high, 1.5 * value), log=True)
+
+
+def _lines(level: int, role: Role, x: ChartAxis, y: ChartAxis) -> list[Boundary]:
     """The boundary of a Level in the figure: the lower line with the limits beside it, and the upper one."""
     low, high = CAP[role.category][level - 1]
     floor, left = floors(role).omega[level - 1][0] or 0.0, floors(role).n_alpha[level - 1][0]
-    along = spaced(left or 1.0, 100.0)
-    top = math.sqrt(high * along[0]) if high else 20.0
-    lower = [max(floor, math.sqrt((low or 0.0) * n)) for n in along]
-    wall = ([along[0]], [top]) if left else ([], [])
+    along = spaced(left or x.low, x.high)
+    top = math.sqrt(high * along[0]) if high else y.high
+    lower = tuple(max(floor, math.sqrt((low or 0.0) * n)) for n in along)
+    wall = ((along[0],), (top,)) if left else ((), ())
     lines = [Boundary(level, f"Level {level}, lower", (*wall[0], *along), (*wall[1], *lower))]
     if high:
         lines.append(Boundary(level, f"Level {level}, upper", along, tuple(math.sqrt(high * n) for n in along)))
     return lines
 
 
-def _box(level: int, role: Role) -> Boundary:
+def _box(level: int, role: Role, x: ChartAxis, y: ChartAxis) -> Boundary:
+    """What a Level allows, open to where it has no limit."""
     (left, right), (low, high) = damping(role)[level - 1], CAP[role.category][level - 1]
-    x0, x1, y0, y1 = left or 0.05, right or 5.0, low or 0.01, high or 20.0
+    x0, x1, y0, y1 = left or x.low, right or x.high, low or y.low, high or y.high
+    if right is None and high is None:
+        return Boundary(level, f"Level {level}", (x0, x0, x1), (y1, y0, y0))
     return Boundary(level, f"Level {level}", (x0, x1, x1, x0, x0), (y0, y0, y1, y1, y0))
 
 

@@ -1,0 +1,159 @@
+"""What `fdes qualities` says: its tables, its JSON, its charts, and what it answers to mistakes."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+from fdes.aircraft import catalogue
+from fdes.cli import app
+
+KEYS = ["criterion", "mode", "level", "margin", "value", "unit", "requirement", "reference", "reason"]
+CONDITIONS = [(a.id, c.id) for a in catalogue() for c in a.conditions]
+ONE = ["--criterion", "mil_f_8785c_short_period", "--category", "C"]
+
+
+def run(*words: str, status: int = 0) -> Any:
+    result = CliRunner().invoke(app, ["qualities", *words], prog_name="fdes", env={"COLUMNS": "80"})
+    assert result.exit_code == status, result.output
+    return result
+
+
+def asked(*words: str) -> Any:
+    return json.loads(run(*words, "--json").stdout)
+
+
+def mistake(*words: str) -> str:
+    return " ".join(run(*words, status=2).stderr.split())
+
+
+@pytest.mark.parametrize(("aircraft", "condition"), CONDITIONS)
+def test_every_aircraft_fits_80_columns(aircraft: str, condition: str) -> None:
+    text = run(aircraft, "--condition", condition).stdout
+    assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
+    assert "nan" not in text.casefold().split()
+
+
+def test_the_verdicts_on_an_aircraft_as_json() -> None:
+    found = asked("NAVION", "--class", "I", "--category", "B")
+    assert [list(verdict) for verdict in found["verdicts"]] == [KEYS] * 7
+    assert {v["mode"]: v["level"] for v in found["verdicts"]} == {
+        "short_period": 1,
+        "phugoid": 1,
+        "roll": 1,
+        "dutch_roll": 1,
+        "spiral": 1,
+        "roll_spiral": None,
+        "response": None,
+    }
+    assert (found["class"], found["category"], found["aircraft"], found["units"]) == ("I", "B", "NAVION", "SI")
+    assert found["improvements"] == []
+
+
+def test_what_one_change_would_do() -> None:
+    found = asked("A-4D")["improvements"]
+    assert [(i["mode"], i["name"], i["level"]) for i in found] == [
+        ("dutch_roll", "Cn_beta", 1),
+        ("dutch_roll", "Cn_r", 1),
+    ]
+    assert "dutch roll: Cn_r from -0.35 to -0.691 (x1.97) reaches Level 1" in run("A-4D").stdout
+    text = " ".join(run("A-4D", "-c", "M0.8_35kft").stdout.split())
+    assert "dutch roll: None of Cy_beta, Cl_beta, Cn_beta, Cn_p, Cn_r alone reaches Level 1 within its range." in text
+
+
+def test_one_criterion_gives_one_verdict_and_says_what_governs() -> None:
+    (verdict,) = asked(*ONE, "--omega-sp", "0.95", "--n-alpha", "9", "--zeta-sp", "0.7")["verdicts"]
+    assert verdict["level"] == 2
+    assert verdict["value"] == pytest.approx(0.95**2 / 9.0)
+    assert verdict["margin"] == pytest.approx((0.95**2 / 9.0 - 0.096) / 0.096)
+    assert verdict["reason"].startswith("Frequency governs: CAP is 0.100 1/(g s^2)")
+    (verdict,) = asked(*ONE, "--omega-sp", "3", "--n-alpha", "9", "--zeta-sp", "0.2")["verdicts"]
+    assert (verdict["level"], verdict["value"]) == (3, 0.2)
+    assert verdict["reason"].startswith("Damping governs: zeta_sp is 0.2: Level 3.")
+
+
+def test_what_is_left_out_limits_the_verdict_and_it_says_so() -> None:
+    (verdict,) = asked(*ONE, "--zeta-sp", "0.7")["verdicts"]
+    assert verdict["level"] == 1
+    assert "Without omega_sp and n_alpha the frequency is not judged." in verdict["reason"]
+    (verdict,) = asked(*ONE, "--omega-sp", "0.95", "--n-alpha", "9")["verdicts"]
+    assert "Without zeta_sp the damping is not judged." in verdict["reason"]
+    (verdict,) = asked("--criterion", "mil_f_8785c_dutch_roll", "--zeta-dr", "0.3", "--omega-dr", "2")["verdicts"]
+    assert "|phi/beta| is not known" in verdict["reason"]
+    (verdict,) = asked("--criterion", "mil_f_8785c_phugoid", "--zeta-ph", "-0.01")["verdicts"]
+    assert verdict["level"] is None
+    assert "takes t2_ph" in verdict["reason"]
+
+
+def test_an_omitted_class_takes_the_strictest() -> None:
+    found = asked("--criterion", "mil_f_8785c_roll_mode", "--tau-roll", "1.2", "--category", "C")
+    assert (found["class"], found["verdicts"][0]["level"]) == ("IV", 2)
+    assert found["chosen"] == "C as asked for; the rest: the default, because it is the strictest"
+    found = asked("--criterion", "mil_f_8785c_roll_mode", "--tau-roll", "1.2", "--category", "C", "--class", "III")
+    assert found["verdicts"][0]["level"] == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "level"),
+    [
+        (["--zeta-dr", "0.3", "--omega-dr", "2", "--phase", "CO"], 2),
+        (["--zeta-dr", "0.3", "--omega-dr", "2"], 1),
+        (["--zeta-dr", "0.1", "--omega-dr", "3", "--phi-beta", "4", "--category", "B"], 2),
+        (["--t2-spiral", "15"], 1),
+        (["--t2-spiral", "15", "--category", "B"], 2),
+        (["--t2-spiral", "inf"], 1),
+        (["--zeta-ph", "0.05"], 1),
+        (["--t2-ph", "60"], 3),
+        (["--t2-speed", "5"], 4),
+        (["--damping-rs", "0.4", "--category", "C"], 2),
+        (["--delay", "0.3"], 4),
+    ],
+)
+def test_numbers_alone_find_their_criterion(words: list[str], level: int) -> None:
+    (verdict,) = asked(*words)["verdicts"]
+    assert verdict["level"] == level
+
+
+def test_delay_goes_with_an_aircraft() -> None:
+    verdicts = {v["mode"]: v for v in asked("A-4D", "--delay", "0.15")["verdicts"]}
+    assert verdicts["response"]["level"] == 2
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg", "html"])
+def test_charts_are_written(suffix: str, tmp_path: Path) -> None:
+    target = tmp_path / f"levels.{suffix}"
+    assert f"{target} is written." in run("A-4D", "--plot", str(target)).stdout
+    assert target.stat().st_size > 10_000
+    if suffix == "html":
+        text = target.read_text(encoding="utf-8")
+        assert "MIL-F-8785C, figure 1, page 14" in text
+        assert '"type":"log"' in text
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["A4E"], "There is no aircraft named 'A4E'."),
+        ([], "There is nothing to judge: name an aircraft, or give what a criterion reads"),
+        (["--criterion", "mil_f_8785c_spiral"], "give what a criterion reads: --t2-spiral."),
+        (["A-4D", "--class", "V"], "There is no Class of MIL-F-8785C named 'V'."),
+        (["A-4D", "--category", "D"], "There is no Category of MIL-F-8785C named 'D'."),
+        (["A-4D", "--phase", "PP"], "There is no Flight Phase of MIL-F-8785C named 'PP'. Did you mean 'PA'?"),
+        (["A-4D", "--phase", "PA", "--category", "A"], "belongs to Category C, not to Category A. Leave one"),
+        (["A-4D", "--criterion", "mil_f_8785c_rol_mode"], "Did you mean 'mil_f_8785c_roll_mode'?"),
+        (["A-4D", "--zeta-sp", "0.3"], "--zeta-sp cannot be given with A-4D, of which it is computed."),
+        (
+            ["--criterion", "mil_f_8785c_spiral", "--zeta-sp", "0.2"],
+            "mil_f_8785c_spiral does not read --zeta-sp. It reads: --t2-spiral.",
+        ),
+        (["--zeta-sp", "nan"], "--zeta-sp is nan; it must be a finite number."),
+        (["--omega-sp", "0", "--n-alpha", "9"], "--omega-sp is 0; it must be greater than zero."),
+        (["--delay", "-1"], "--delay is -1; it must not be negative."),
+        (["A-4D", "--plot", "levels.bmp"], "levels.bmp cannot be written: let its name end in .png, .svg, .html."),
+        (["--t2-spiral", "15", "--plot", "levels.png"], "has a chart: ask for the short period or the Dutch roll."),
+    ],
+)
+def test_mistakes_are_explained(words: list[str], says: str) -> None:
+    assert says in mistake(*words)
