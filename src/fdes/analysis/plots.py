@@ -126,8 +126,7 @@ def _round_steps(about: float, end: float) -> list[float]:
 
 def responses(flight: Recording, title: str, units: str = "si") -> Drawing:
     """The inputs and all that moved, stacked over time; `units` is ``si`` or ``us``."""
-    t = flight["t"]
-    every = max(1, len(t) // MOST_POINTS)
+    t, every = flight["t"], _every(flight)
     unit_of = {c.name: UNIT_SYSTEMS[units].get(c.unit, (c.unit, 1.0)) for c in flight.columns}
     panels = []
     for group in GROUPS:
@@ -147,6 +146,36 @@ def responses(flight: Recording, title: str, units: str = "si") -> Drawing:
         )
         panels.append(Panel("time [s]", f"[{unit}]", curves))
     return Drawing(title, tuple(panels), height=1.0 + 1.25 * max(1, len(panels)))
+
+
+OVERLAID = ("elevator", "aileron", "rudder", "p", "q", "r", "alpha", "beta", "theta", "phi", "V", "n_z", "h")
+
+
+def overlay(flights: Sequence[tuple[str, Recording]], title: str, units: str = "si") -> Drawing:
+    """Flights with their labels, one over the other: a panel for each signal that moved in any of them."""
+    _, first = flights[0]
+    panels: list[Panel] = []
+    for channel in (c for name in OVERLAID for c in first.columns if c.name == name):
+        if not any(_moved(flight[channel.name]) for _, flight in flights):
+            continue
+        unit, factor = UNIT_SYSTEMS[units].get(channel.unit, (channel.unit, 1.0))
+        curves = tuple(
+            Curve(
+                (flight["t"] - flight["t"][0])[:: _every(flight)].tolist(),
+                (flight[channel.name] * factor)[:: _every(flight)].tolist(),
+                label,
+                COLORS[k % len(COLORS)],
+                LINES[k % len(LINES)],
+                in_legend=not panels,
+            )
+            for k, (label, flight) in enumerate(flights)
+        )
+        panels.append(Panel("time from the start [s]", f"{channel.name} [{unit}]", curves))
+    return Drawing(title, tuple(panels), height=1.0 + 1.25 * max(1, len(panels)))
+
+
+def _every(flight: Recording) -> int:
+    return max(1, len(flight.data) // MOST_POINTS)
 
 
 def _moved(signal: NDArray[np.float64]) -> bool:

@@ -24,6 +24,7 @@ from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_f
 from fdes.cli.shelves import shelves
 from fdes.cli.simulate import simulate
 from fdes.cli.verify import app as verify
+from fdes.cli.whatif import whatif
 from fdes.errors import FdesError
 
 __all__ = ["app", "main"]
@@ -67,6 +68,7 @@ app.command(epilog="Example: fdes derivatives B747 --condition M0.90_40kft --jso
 app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
 )(simulate)
+app.command(epilog='Example: fdes whatif flight.fdes --try "Cm_q*=0.5" --plot whatif.html')(whatif)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)
 app.command(epilog="Example: fdes shelves --json")(shelves)
