@@ -24,6 +24,7 @@ from starlette.websockets import WebSocket
 from fdes import __version__
 from fdes.cockpit import wire
 from fdes.cockpit.cabins import Cabin, Cabins
+from fdes.cockpit.columns import chosen_columns
 from fdes.cockpit.files import Folder
 from fdes.cockpit.guard import Guard
 from fdes.cockpit.hub import percentiles
@@ -98,6 +99,15 @@ class Site:
         """A recording for MATLAB."""
         return await self._written(request, "mat", Recording.to_mat)
 
+    async def columns(self, request: Request) -> Response:
+        """The ``?columns=`` of a recording, for charts."""
+        name, asked = request.path_params["name"], request.query_params.get("columns", "")
+
+        def made() -> Response:
+            return JSONResponse(chosen_columns(open_recording(found(self._cabins, name)), asked))
+
+        return await asyncio.to_thread(made)
+
     async def _written(self, request: Request, suffix: str, write: Callable[[Recording, Path], None]) -> Response:
         """A recording in a format that is made whole before it is sent."""
         name = request.path_params["name"]
@@ -166,6 +176,7 @@ def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
             Route("/api/aircraft", site.aircraft),
             Route("/api/recordings", site.recordings),
             Route("/api/recordings/{name}.csv", site.csv),
+            Route("/api/recordings/{name}.json", site.columns),
             Route("/api/recordings/{name}.fdes", site.native),
             Route("/api/recordings/{name}.nc", site.netcdf),
             Route("/api/recordings/{name}.mat", site.mat),

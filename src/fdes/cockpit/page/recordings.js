@@ -9,17 +9,37 @@ export class RecordingsPanel {
     this.panel = panel;
     this.command = command;
     this.playing = null;
+    this.marked = new Map(); // name -> label, in the order in which they were marked
+    this.overlayButton = html("button", { onclick: () => this.overlay() }, "Overlay the marked");
   }
 
   async refresh() {
     try {
       const list = await fetchJson("/api/recordings");
-      this.panel.replaceChildren(list.length ? this.list(list) : lesson());
+      this.panel.replaceChildren(list.length ? html("div", {}, html("p", { class: "overlay-bar" }, this.overlayButton), this.list(list)) : lesson());
     } catch (error) {
       this.panel.replaceChildren(
         html("p", { class: "problem", role: "alert" }, `The recordings could not be read. ${error.message}`),
       );
     }
+  }
+
+  /** Lays the marked recordings over one another; that which was marked first is the one compared with. */
+  async overlay() {
+    try {
+      const { MOST, Overlay, recordingSet } = await import("./overlay.js");
+      this.dialog ??= new Overlay();
+      const marked = [...this.marked].slice(0, MOST);
+      await this.dialog.open(await Promise.all(marked.map(([name, label]) => recordingSet(name, label))));
+    } catch (error) {
+      this.panel.prepend(html("p", { class: "problem", role: "alert" }, `The overlay could not be drawn. ${error.message}`));
+    }
+  }
+
+  mark(name, label, on) {
+    if (on) this.marked.set(name, label);
+    else this.marked.delete(name);
+    this.overlayButton.disabled = !this.marked.size;
   }
 
   async remove(recording, what) {
@@ -29,6 +49,8 @@ export class RecordingsPanel {
   }
 
   list(recordings) {
+    for (const name of this.marked.keys()) if (!recordings.some((one) => one.name === name)) this.marked.delete(name);
+    this.overlayButton.disabled = !this.marked.size;
     return html(
       "ul",
       { class: "recordings", "aria-label": "Recordings, newest first" },
@@ -39,6 +61,13 @@ export class RecordingsPanel {
         return html(
           "li",
           { class: recording.name === this.playing ? "is-playing" : "" },
+          html("input", {
+            type: "checkbox",
+            checked: this.marked.has(recording.name),
+            "aria-label": `Mark ${what}, ${when(recording.started)}, for the overlay`,
+            title: "Mark for the overlay: up to four",
+            onchange: ({ target }) => this.mark(recording.name, `${what}, ${when(recording.started)}`, target.checked),
+          }),
           html("div", {}, html("b", {}, what), html("small", {}, details.join(" · "))),
           html(
             "span",
