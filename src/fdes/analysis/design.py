@@ -6,13 +6,14 @@ that costs damping. What is out of reach is said, with the best there is.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import MISSING, dataclass, fields, replace
+from dataclasses import MISSING, fields, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from fdes.aircraft import FlightCondition
 from fdes.analysis.closed_loop import close
+from fdes.analysis.designed import Achieved, Designed
 from fdes.analysis.linearize import linear_model
 from fdes.analysis.modes import modes
 from fdes.analysis.placement import Quantity, measure, nearest_root, one_gain, stable, two_gains
@@ -42,42 +43,6 @@ RULES = {
     "yaw_damper": Rule(("gain",), "dutch_roll", ("zeta",)),
     "spiral_stabilization": Rule(("gain",), "spiral", ("time_constant",)),
 }
-
-
-@dataclass(frozen=True)
-class Achieved:
-    """What one loop was designed for, and what came of it, in the unit of `quantity`.
-
-    wanted: None where gains were given by hand. before: without this loop. designed: with this loop closed, where it
-    was designed. continuous and flown: of the whole law, continuous, and sampled at the frame of the flight.
-    reached: whether what was wanted could be had.
-    """
-
-    law: str
-    mode: str
-    quantity: Quantity
-    unit: str
-    wanted: float | None
-    before: float
-    designed: float
-    continuous: float
-    flown: float
-    reached: bool
-
-
-@dataclass(frozen=True)
-class Designed:
-    """A law with all its gains. `text` says it again, in full, without designing; `frame` [s] is that of `flown`.
-
-    gains: by law and field, in SI. notes: what whoever flies it should know.
-    """
-
-    law: Law
-    text: str
-    gains: Mapping[str, Mapping[str, float]]
-    achieved: tuple[Achieved, ...]
-    notes: tuple[str, ...]
-    frame: float
 
 
 class _Closed(NamedTuple):

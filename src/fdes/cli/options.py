@@ -8,6 +8,7 @@ from fdes.errors import NoSuchPart
 
 if TYPE_CHECKING:
     from fdes.aircraft import FlightCondition
+    from fdes.analysis.designed import Designed
     from fdes.physics.derivatives import Form
 
 AircraftName = Annotated[
@@ -40,6 +41,18 @@ Changes = Annotated[
     ),
 ]
 FLAG = ""  # a switch takes no value; Typer would show one
+LawText = Annotated[
+    str | None,
+    typer.Option(
+        "--law",
+        metavar="TEXT",
+        help="A control law: 'yaw_damper gain=0.5', 'yaw_damper zeta=0.4', bare to have it designed, several with ';', "
+        "or the path of a Python file of your own.",
+    ),
+]
+OnActuators = Annotated[
+    bool, typer.Option("--actuators", metavar=FLAG, help="Move the surfaces by the actuators that are assumed.")
+]
 
 AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
 
@@ -49,6 +62,20 @@ def chosen(aircraft: str, condition: str | None, variant: str, changes: list[str
     from fdes.aircraft import edited, load
 
     return edited(load(aircraft).at(condition, variant), changes or ())
+
+
+def designed_law(
+    text: str, ready: "FlightCondition", form: "Form", dt: float | None = None, frame: float | None = None
+) -> "Designed":
+    """The law that was said; a path runs a file, which only whoever sits at the computer may ask for. Raises FdesError.
+
+    dt [s]: designed in z at that step; frame [s]: flown at that.
+    """
+    from fdes.analysis.design import law_for
+    from fdes.control.own_law import own_laws
+
+    said, own = own_laws(text)
+    return law_for(said, ready, form, dt, frame, own)
 
 
 def form_of_equations(form: str) -> "Form":

@@ -5,12 +5,14 @@ name laws of the shelf, by `fdes.control.spoken`, which knows no paths. A test h
 """
 
 import importlib.util
-from collections.abc import Sequence
 from dataclasses import is_dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fdes.errors import SpecError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 OFFERS = ("start", "step", "linear")
 
