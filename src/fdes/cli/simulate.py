@@ -11,7 +11,6 @@ import typer
 
 from fdes.cli.options import (
     FLAG,
-    AircraftName,
     Changes,
     ConditionName,
     FormName,
@@ -21,6 +20,7 @@ from fdes.cli.options import (
     chosen,
 )
 from fdes.cli.output import note, number, screen, table
+from fdes.cli.scenario import fly_and_write
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
 
@@ -35,7 +35,10 @@ SUMMARIZED = ("V", "alpha", "beta", "gamma", "phi", "theta", "psi", "p", "q", "r
 
 
 def simulate(
-    aircraft: AircraftName,
+    aircraft: Annotated[
+        str | None,
+        typer.Argument(metavar="AIRCRAFT", help="A name, as `fdes aircraft` lists them, or the path of a TOML file."),
+    ] = None,
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     form: FormName = "full",
@@ -79,6 +82,15 @@ def simulate(
         ),
     ] = None,
     plot: PlotFile = None,
+    scenario: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE", help="Instead of an aircraft: a whole flight of the nonlinear plant as TOML."
+        ),
+    ] = None,
+    names: Annotated[
+        str, typer.Option(metavar="fdes|s119", help="Of a scenario's columns: ours, or those of NASA's check cases.")
+    ] = "fdes",
 ) -> None:
     """Fly test inputs from trim, hands off, and write the response, the unit of every column with it."""
     from fdes.cli.plot import save_plot, target_of
@@ -86,6 +98,13 @@ def simulate(
 
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
+    if scenario is not None:
+        if any((aircraft, condition, changes, inputs, initial, height, plot)):
+            raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
+        fly_and_write(scenario, out, names, units)
+        return
+    if aircraft is None:
+        raise SpecError("There is nothing to fly: name an aircraft, as in fdes simulate A-4D, or give a --scenario.")
     target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")

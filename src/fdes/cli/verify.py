@@ -139,3 +139,53 @@ def paper(
     show.print(f"\n{out} is written. {len(claims)} checks: {len(claims) - failed} passed, {failed} failed")
     if failed:
         raise typer.Exit(1)
+
+
+@app.command(epilog="Example: fdes verify nesc --out nesc.html")
+def nesc(
+    data: Annotated[
+        Path | None,
+        typer.Option(metavar="FOLDER", help="The published curves, unpacked; else points of them that come with FDES."),
+    ] = None,
+    out: Annotated[
+        str | None, typer.Option("--out", "-o", metavar="FILE.html", help="A report with plots of the differences.")
+    ] = None,
+    json: AsJson = False,
+) -> None:
+    """NASA's six-degree-of-freedom check cases, flown by the nonlinear plant. Exits with 1 if one comes out otherwise.
+
+    Where a body has drag, it is flown with the density of the simulation it is compared with; `as flown` is without.
+    """
+    from fdes.analysis.check_cases import check_cases
+
+    target = None if out is None else Path(out)
+    if target is not None and (target.suffix != ".html" or not target.parent.is_dir()):
+        raise SpecError(f"{out} cannot be written: name a file that ends in .html in a folder that exists.")
+    found = check_cases(data)
+    failed = sum(not c.passed for c in found)
+    if target is not None:
+        from fdes.analysis.check_cases_report import check_cases_page
+
+        target.write_text(check_cases_page(found), encoding="utf-8")
+    if json:
+        names = ("scenario", "simulation", "column", "raw", "error", "excess", "tolerance", "note", "passed")
+        print_json({"comparisons": [{n: getattr(c, n) for n in names} for c in found], "failed": failed})
+    else:
+        for scenario in dict.fromkeys(c.scenario for c in found):
+            of_case = [c for c in found if c.scenario == scenario]
+            screen().print(f"\n[{scenario}] {of_case[0].title}", style="bold", markup=False)
+            drawn = table("simulation", "column", "as flown", "error", "allowed", "")
+            for c in of_case:
+                verdict = VERDICTS["no check" if c.note else "ok" if c.passed else "failed"]
+                allowed = "" if c.note else f"{c.tolerance:.0e}"
+                style = STYLES.get("no check" if c.note else "ok" if c.passed else "failed")
+                drawn.add_row(c.simulation, c.column, f"{c.raw:.1e}", f"{c.error:.1e}", allowed, verdict, style=style)
+            screen().print(drawn)
+            for note in dict.fromkeys(f"{c.simulation} {c.note}." for c in of_case if c.note):
+                screen().print(f"not held: {note}", style="dim")
+        held = sum(not c.note for c in found)
+        if out is not None:
+            screen().print(f"\n{out} is written.", soft_wrap=True)
+        screen().print(f"\n{held} comparisons: {held - failed} passed, {failed} failed")
+    if failed:
+        raise typer.Exit(1)

@@ -1,0 +1,53 @@
+"""A scenario flown from the command line: `fdes simulate --scenario`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from fdes.cli.output import screen
+from fdes.errors import NoSuchPart, SpecError
+
+if TYPE_CHECKING:
+    from fdes.flight.recording import Recording
+    from fdes.flight.scenario import Scenario
+
+STDOUT = "-"
+NAMES = ("fdes", "s119")
+
+
+def fly_and_write(name: str, out: str | None, names: str, units: str) -> None:
+    """Fly the scenario of that name or file; write CSV to `out`, or the last row to the screen. Raises FdesError."""
+    from fdes.flight.scenario import fly_scenario, load_scenario
+
+    if names not in NAMES:
+        raise NoSuchPart("set of column names", names, NAMES)
+    target = None if out in {None, STDOUT} else Path(str(out))
+    if target is not None and (target.suffix != ".csv" or not target.parent.is_dir()):
+        raise SpecError(f"{out} cannot be written: name a file that ends in .csv in a folder that exists.")
+    scenario = load_scenario(name)
+    flight = fly_scenario(scenario)
+    if out == STDOUT:
+        _write(scenario, flight, names, units, sys.stdout)
+    elif target is not None:
+        with target.open("w", encoding="utf-8", newline="") as file:
+            _write(scenario, flight, names, units, file)
+        screen().print(f"{out}: {len(flight.data)} rows", soft_wrap=True)
+    else:
+        last = {c.name: (value, c.unit) for c, value in zip(flight.columns, flight.data[-1], strict=True)}
+        screen().print(f"{scenario.title}: at t = {last['t'][0]:g} s", markup=False)
+        for signal in ("V", "mach", "h", "h_dot", "north", "east", "phi", "theta", "psi", "p", "q", "r"):
+            value, unit = last[signal]
+            screen().print(f"  {signal:8} {value: .8g} {unit}", markup=False)
+
+
+def _write(scenario: "Scenario", flight: "Recording", names: str, units: str, file: TextIO) -> None:
+    if names == "fdes":
+        flight.to_csv(file, units)
+        return
+    import numpy as np
+
+    from fdes.flight.s119 import s119_columns
+
+    columns = s119_columns(scenario.plant, flight)
+    file.write(",".join(columns) + "\n")
+    np.savetxt(file, np.column_stack(list(columns.values())), fmt="%.15g", delimiter=",")
