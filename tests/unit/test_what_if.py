@@ -71,9 +71,21 @@ def test_each_thing_can_be_put_instead(recording: Recording, text: str) -> None:
     assert not np.array_equal(again.data, recording.data)
 
 
+def test_a_law_is_designed_once_and_keeps_its_gains(recording: Recording) -> None:
+    again = what_if(recording, Variation.parse("law=yaw_damper; roll_rate_damper gain=0.1; Cn_r*=0.5")).recording
+    law = str(again.header["law"])
+    assert law.startswith("yaw_damper gain=")
+    assert law.endswith("roll_rate_damper gain=0.1")
+    assert again.header["changes"] == ["Cn_r*=0.5"]
+    assert np.abs(again["rudder"] - recording["rudder"]).max() > 0.1 * DEG
+    np.testing.assert_array_equal(what_if(again).recording.data, again.data)
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
+        ("law=yaw_dampr", "Did you mean 'yaw_damper'"),
+        ("law=./mine.py", "mine"),
         ("faster", "'faster' says nothing that could be different. Write it like 'Cm_q\\*=0.5', 'law=yaw_damper'"),
         ("form=paper; form=full", "says form twice"),
         ("form=ful", "Did you mean 'full'"),

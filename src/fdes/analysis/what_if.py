@@ -10,11 +10,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from fdes.aircraft import FlightCondition, edited, load, parse
-from fdes.control.laws.direct import Direct
+from fdes.analysis.design import law_for
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup, plant_of
 from fdes.flight.reflight import Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
+from fdes.shelf import shelf
 
 WORDS = ("aircraft", "condition", "variant", "form", "integrator", "law")  # what can be put instead of what was flown
 OF_THE_AIRCRAFT = ("aircraft", "condition", "variant")
@@ -35,11 +36,15 @@ class Variation:
     def parse(cls, text: str) -> "Variation":
         """From ``Cm_q*=0.5; law=yaw_damper gain=0.5``: changes, and words such as law=, form=, aircraft=.
 
+        A law may be several, one after the other: ``law=yaw_damper; roll_rate_damper``.
         Raises SpecError for what is no change and for what is said twice; whether it can be flown shows when it is.
         """
         changes: list[str] = []
         instead: dict[str, str] = {}
         for part in (p.strip() for p in text.split(";") if p.strip()):
+            if "law" in instead and part.split()[0] in shelf("laws").names():
+                instead["law"] += f"; {part}"
+                continue
             name, equals, value = (p.strip() for p in part.partition("="))
             if not equals or not value:
                 raise SpecError(
@@ -63,6 +68,10 @@ def what_if(recording: Recording, variation: Variation | None = None) -> Refligh
     """
     variation = variation or Variation()
     other = _Other(variation)
+    if "law" in variation.instead:  # gains designed once, and kept through whatever is changed in flight
+        new = other.header(recording.header)
+        gains = law_for(new["law"], condition_of(new), new["form"], frame=new["dt"]).text
+        other = _Other(replace(variation, instead={**variation.instead, "law": gains}))
     if variation.instead.keys() & set(OF_THE_AIRCRAFT):
         lever = other.condition(recording.header).trim_throttle - condition_of(recording.header).trim_throttle
         moved = recording.data.copy()
@@ -127,4 +136,5 @@ def setup_of(header: Mapping[str, Any]) -> Setup:
     condition = condition_of(header)
     flown = condition if header.get("limits", True) else replace(condition, limits=NO_LIMITS)
     step = header["dt"] / header.get("substeps", 1)
-    return Setup(plant_of(flown, header["form"], header["integrator"], step), Direct(flown.full_stick))
+    law = law_for(header.get("law", "direct"), condition, header["form"], frame=header["dt"]).law
+    return Setup(plant_of(flown, header["form"], header["integrator"], step), law)
