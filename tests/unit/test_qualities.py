@@ -2,6 +2,8 @@
 
 import json
 import math
+import subprocess
+import sys
 import time
 from typing import Any
 
@@ -176,6 +178,14 @@ def test_assessing_is_quick_enough_for_a_live_edit() -> None:
         assess(model, IV_A)
         times.append(time.process_time() - start)
     assert sorted(times)[10] < 0.005
+
+
+def test_what_the_cockpit_imports_stays_light() -> None:
+    code = "import sys; from fdes.analysis.qualities import chosen; import fdes.analysis.improvement; chosen(); "
+    run = subprocess.run(
+        [sys.executable, "-c", code + "print(*sys.modules)"], capture_output=True, text=True, check=True
+    )
+    assert not {"scipy", "xarray", "matplotlib", "plotly", "numba"} & set(run.stdout.split())
 
 
 def test_an_unknown_criterion_is_named() -> None:

@@ -116,6 +116,11 @@ def test_numbers_alone_find_their_criterion(words: list[str], level: int) -> Non
     assert verdict["level"] == level
 
 
+def test_an_edited_aircraft_is_judged() -> None:
+    levels = [asked("A-4D", "--set", f"Cm_q*={factor}")["verdicts"][0]["level"] for factor in (1, 0.5, 0)]
+    assert levels == [1, 2, 3]
+
+
 def test_delay_goes_with_an_aircraft() -> None:
     verdicts = {v["mode"]: v for v in asked("A-4D", "--delay", "0.15")["verdicts"]}
     assert verdicts["response"]["level"] == 2
@@ -148,6 +153,8 @@ def test_charts_are_written(suffix: str, tmp_path: Path) -> None:
             ["--criterion", "mil_f_8785c_spiral", "--zeta-sp", "0.2"],
             "mil_f_8785c_spiral does not read --zeta-sp. It reads: --t2-spiral.",
         ),
+        (["--zeta-sp", "0.3", "--set", "Cm_q=0"], "--set changes an aircraft: name one."),
+        (["A-4D", "--set", "Cm_z=0"], "There is no number of the A-4D named 'Cm_z'."),
         (["--zeta-sp", "nan"], "--zeta-sp is nan; it must be a finite number."),
         (["--omega-sp", "0", "--n-alpha", "9"], "--omega-sp is 0; it must be greater than zero."),
         (["--delay", "-1"], "--delay is -1; it must not be negative."),

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AsJson, ConditionName, FormName, PlotFile, VariantName, form_of_equations
-from fdes.cli.output import about, number, print_json, screen, table
+from fdes.cli.options import AsJson, Changes, ConditionName, FormName, PlotFile, VariantName, chosen, form_of_equations
+from fdes.cli.output import about, heading, number, print_json, screen, table
 from fdes.errors import SpecError
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ def qualities(
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     form: FormName = "full",
+    changes: Changes = None,
     flying_class: ClassName = None,
     category: CategoryName = None,
     phase: PhaseName = None,
@@ -97,24 +98,25 @@ def qualities(
     known = {name: value for name, value in given.items() if value is not None}
     _check(known)
     if aircraft is None:
+        if changes:
+            raise SpecError("--set changes an aircraft: name one.")
         _judge_numbers(known, criterion, (flying_class, category, phase), target, json)
         return
     if set(known) - {"delay"}:
         raise SpecError(
             f"{_flags(known)} cannot be given with {aircraft}, of which it is computed. Leave out one of the two."
         )
-    from fdes.aircraft import load
     from fdes.aircraft.role import role_of
     from fdes.analysis import linear_model
     from fdes.analysis.improvement import adjustables, improvements, unreachable
     from fdes.analysis.measured import measure
     from fdes.analysis.qualities import judge
 
-    ready = load(aircraft).at(condition, variant)
+    ready = chosen(aircraft, condition, variant, changes)
     role = role_of(ready.document, ready.condition).but(flying_class, category, phase)
     measured = measure(linear_model(ready, wanted), delay)
     verdicts = judge(measured, role, _names(criterion))
-    title = f"{ready.aircraft_name}, {ready.condition}: {ready.variant} values, form {form}"
+    title = heading(ready, form)
     _draw(measured, role, _names(criterion), target, title)
     better: list[Improvement] = []
     hopeless = []
@@ -155,9 +157,10 @@ def _judge_numbers(
     """Numbers without an aircraft: one criterion, or all that read what is given."""
     from fdes.aircraft.role import STRICTEST
     from fdes.analysis.measured import Measured
-    from fdes.analysis.qualities import chosen, judge
+    from fdes.analysis.qualities import chosen as criteria
+    from fdes.analysis.qualities import judge
 
-    parts = chosen(_names(criterion))
+    parts = criteria(_names(criterion))
     unread = set(known) - {name for part in parts for name in part.reads}
     if unread:
         reads = _flags({name for part in parts for name in part.reads})
