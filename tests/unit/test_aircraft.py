@@ -203,3 +203,11 @@ def test_level_flight_lift_is_near_the_weight() -> None:
             ref = fc.reference
             carried = fc.coefficients.CL * 0.5 * ref.rho * ref.V**2 * ref.S
             assert carried == pytest.approx(ref.m * ref.g, rel=0.05), (aircraft.id, condition.id)
+
+
+def test_inertia_tensor_may_be_full(tmp_path: Path) -> None:
+    lopsided = '[mass.Ixy]\nprinted = 40\nunit = "kg m^2"\n[mass.Iyz]\nprinted = -30\nunit = "kg m^2"\n[assumed]'
+    (tmp_path / "mine.toml").write_text(MINE.read_text().replace("[assumed]", lopsided, 1))
+    ready = load(tmp_path / "mine.toml").at()
+    assert (ready.provenance["Ixy"].value, ready.provenance["Iyz"].value) == (40.0, -30.0)
+    assert "Ixy and Iyz: given, and left out of the linear equations, which are symmetric." in ready.notes

@@ -19,7 +19,7 @@ MISTAKES = [
     pytest.param(
         "[mass]",
         "[mass]\nzzz = 1",
-        "mass.zzz is not a known key. Known here: source, W, cg, Ix, Iy, Iz, Ixz.",
+        "mass.zzz is not a known key. Known here: source, W, cg, Ix, Iy, Iz, Ixz, Ixy, Iyz.",
         id="key unlike any",
     ),
     pytest.param("Cl_p = -0.4", "", "derivatives.Cl_p of condition 'slow' is missing.", id="missing number"),
@@ -130,6 +130,13 @@ MISTAKES = [
         "condition 'slow', corrected values: Ix, Iz and Ixz are 500, 1,000 and 1,000 kg m^2; no body has such "
         "inertias. Ixz squared must be less than Ix times Iz.",
         id="impossible inertias",
+    ),
+    pytest.param(
+        "[assumed]",
+        '[mass.Ixy]\nprinted = 600\nunit = "kg m^2"\n[assumed]',
+        "condition 'slow', corrected values: with Ixy = 600 and Iyz = 0 kg m^2, the inertias are those of no body. "
+        "Compare them with the source: their unit, and whether it prints the product or its double.",
+        id="impossible full inertias",
     ),
     pytest.param(
         'unit = "ft" }',

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from fdes.aircraft.edit import Change
 
 AILERON = ("Cy_da", "Cl_da", "Cn_da", "Ystar_da", "L_da", "N_da")
+LOPSIDED = ("Ixy", "Iyz")  # products of inertia that a symmetric aircraft does not have
 MAYBE_UNKNOWN = ("S", "b", "c", "Ix", "Iy", "Iz", "Ixz")  # where the derivatives are dimensional
 
 
@@ -206,6 +207,9 @@ def _notes(condition: Condition, variant: Variant, provenance: Mapping[str, Prov
     notes = []
     absent = [name for name in Coefficients._fields if condition.derivatives and name not in provenance]
     presumed = [name for name, p in provenance.items() if p.corrected is not None and p.unverified]
+    lopsided = [name for name in LOPSIDED if name in provenance]
+    if lopsided:
+        notes.append(f"{' and '.join(lopsided)}: given, and left out of the linear equations, which are symmetric.")
     if condition.consistent_mass:
         used = "the one that belongs to them" if variant == "corrected" else "the printed one all the same"
         notes.append(f"{condition.consistent_mass.reason} The mass used is {used}.")
@@ -236,6 +240,7 @@ def _check(ready: FlightCondition, drag: float) -> None:
             f"Ix, Iz and Ixz are {ref.Ix:,.0f}, {ref.Iz:,.0f} and {ref.Ixz:,.0f} kg m^2; no body has such "
             "inertias. Ixz squared must be less than Ix times Iz."
         )
+    _possible_inertia(ready)
     name = "L_da" if "L_da" in ready.provenance else "Cl_da"
     rolling = ready.provenance[name]
     if rolling.value <= 0.0:
@@ -256,3 +261,19 @@ def _check(ready: FlightCondition, drag: float) -> None:
                 f"full stick moves the {name} to {held / DEG:g} deg, beyond its limits of {low / DEG:g} and "
                 f"{high / DEG:g} deg. Assume less stick or more travel."
             )
+
+
+def _possible_inertia(ready: FlightCondition) -> None:
+    """A full inertia tensor is positive definite, as that of any body: H. Goldstein, Classical Mechanics, chapter 5."""
+    given = [name for name in LOPSIDED if name in ready.provenance]
+    if not given:
+        return
+    ref = ready.reference
+    Ixy, Iyz = (ready.provenance[name].value if name in given else 0.0 for name in LOPSIDED)
+    minor = ref.Ix * ref.Iy - Ixy**2
+    whole = ref.Iz * minor - ref.Ix * Iyz**2 - 2.0 * Ixy * Iyz * ref.Ixz - ref.Iy * ref.Ixz**2
+    if minor <= 0.0 or whole <= 0.0:
+        raise AircraftFileError(
+            f"with Ixy = {Ixy:,.0f} and Iyz = {Iyz:,.0f} kg m^2, the inertias are those of no body. "
+            "Compare them with the source: their unit, and whether it prints the product or its double."
+        )

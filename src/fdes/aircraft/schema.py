@@ -62,6 +62,8 @@ class MassProperties(Part):
     Iy: Inertia | None = None
     Iz: Inertia | None = None
     Ixz: Product | None = None
+    Ixy: Product | None = None
+    Iyz: Product | None = None
 
 
 class ConsistentMass(Part):
@@ -79,6 +81,8 @@ class ConsistentMass(Part):
     Iy: Inertia | None = None
     Iz: Inertia | None = None
     Ixz: Product | None = None
+    Ixy: Product | None = None
+    Iyz: Product | None = None
 
 
 class Derivatives(Part):
