@@ -4,15 +4,21 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import inf
 
+import numpy as np
+
 from fdes import __version__
 from fdes.aircraft import FlightCondition
-from fdes.control import Stick
+from fdes.control import Law, Stick
+from fdes.control.laws.direct import Direct
 from fdes.errors import NoSuchPart, SpecError
-from fdes.flight.excitation import Excitation
+from fdes.flight.actuated import WithActuators, actuators_of
+from fdes.flight.excitation import Excitation, GustyAir
 from fdes.flight.header import header_of
+from fdes.flight.pilot import HandsOff
 from fdes.flight.plants import plant_of
+from fdes.flight.recorder import columns_of, row_of
 from fdes.flight.recording import Recording
-from fdes.flight.simulation import Clock
+from fdes.flight.simulation import Clock, Setup, fly
 from fdes.flight.trajectory import trajectory
 from fdes.physics.signals import Surfaces, channels
 from fdes.physics.small_perturbation import Limits, PerturbationState
@@ -32,12 +38,16 @@ def simulate(
     initial: Iterable[str] = (),
     height: float | None = None,
     limits: bool = False,
+    law: Law | None = None,
+    said: str = "direct",
+    actuators: bool = False,
 ) -> Recording:
     """Fly `condition` from trim, hands off, with `inputs` such as ``step aileron 15deg at 0s``, ``step gust_w -5m/s``.
 
     `initial` disturbs states at the start: ``beta=5deg``, ``u=+10kt``. `height` [m] is where the flight starts, else
     the condition's. Surfaces go as far as they are asked unless `limits` stops them at what is assumed of them.
-    Raises SpecError, NoSuchPart or Departed.
+    `law` is a control law, made for this aircraft, and `said` what the recording calls it (`fdes.analysis.design`);
+    `actuators` moves the surfaces by those that are assumed. Raises SpecError, NoSuchPart or Departed.
 
     >>> import fdes
     >>> flight = simulate(fdes.load("A-4D").at(), ["step aileron 1deg"], clock=Clock(0.01, duration=2.0))
@@ -51,11 +61,23 @@ def simulate(
     inputs, initial = list(inputs), list(initial)
     flown = condition if limits else replace(condition, limits=NO_LIMITS)
     plant = plant_of(flown, form, integrator, clock.dt / clock.substeps)
-    start = disturbed(plant.start(height), initial)
-    throttle = Stick(throttle=condition.trim_throttle)
-    flight = trajectory(plant, start, clock, throttle, Excitation.parse(inputs, files=True))
-    header = header_of(condition, form, integrator, clock, inputs=inputs, initial=initial, limits=limits)
-    return replace(flight, header={"fdes": __version__, "engine": "whole columns, NumPy", **header})
+    excitation, throttle = Excitation.parse(inputs, files=True), condition.trim_throttle
+    more = {"inputs": inputs, "initial": initial, "limits": limits}
+    if law is None and not actuators:
+        start = disturbed(plant.start(height), initial)
+        flight = trajectory(plant, start, clock, Stick(throttle=throttle), excitation)
+        engine = "whole columns, NumPy"
+    else:
+        moved = WithActuators(plant, actuators_of(condition)) if actuators else plant
+        setup = Setup(moved, law or Direct(condition.full_stick))
+        weather = GustyAir(excitation.gusts, plant.reference.V)
+        start = disturbed(moved.start(height), initial)
+        frames = fly(start, setup, HandsOff(throttle), weather, clock, excitation)
+        rows = np.array([row_of(frame) for frame in frames])
+        flight = Recording({}, columns_of(type(start)), rows, (), complete=True)
+        engine, more = "frame by frame, Python", more | {"actuators": actuators}
+    header = header_of(condition, form, integrator, clock, said, **more)
+    return replace(flight, header={"fdes": __version__, "engine": engine, **header})
 
 
 def disturbed(state: PerturbationState, initial: Iterable[str]) -> PerturbationState:
