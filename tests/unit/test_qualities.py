@@ -14,13 +14,14 @@ from fdes.aircraft import load
 from fdes.aircraft.edit import edited
 from fdes.aircraft.role import STRICTEST, Role, role_of
 from fdes.analysis import linear_model, modes
-from fdes.analysis.closed_loop import with_actuators
-from fdes.analysis.improvement import Adjustable, adjustables, improvements, unreachable
+from fdes.analysis.closed_loop import close, with_actuators
+from fdes.analysis.design import law_for
+from fdes.analysis.improvement import Adjustable, adjustables, gains, improvements, unreachable
 from fdes.analysis.measured import Measured, measure, n_alpha, phi_beta
 from fdes.analysis.qualities import assess, charts, judge
 from fdes.analysis.quality_charts import as_drawing, spaced
 from fdes.analysis.verdict import Verdict
-from fdes.control import LinearModel
+from fdes.control import Law, LinearModel
 from fdes.errors import NoSuchPart, SpecError
 from fdes.physics.actuators import Actuator, Actuators
 
@@ -241,6 +242,24 @@ def test_a_gain_is_a_candidate_like_a_derivative() -> None:
     assert found.level == 2
     assert found.sensitivity is None
     assert assess(closed(found.wanted), IV_A, criteria=[SHORT_PERIOD])[0].level == 2
+
+
+def test_the_gain_of_a_law_is_a_candidate() -> None:
+    """The yaw damper of the A-4D at half the gain that Level 1 takes; only its own gain is turned, not the other's."""
+    designed = law_for("pitch_rate_damper gain=0.1; yaw_damper gain=0.05", A4D)
+
+    def model(law: Law) -> LinearModel:
+        return close(A4D, law)
+
+    loop = model(designed.law)
+    verdict = next(v for v in assess(loop, IV_A, airframe=linear_model(A4D)) if v.mode == "dutch_roll")
+    assert verdict.level == 2
+    candidates = gains(designed, model)
+    assert {c.name for c in candidates} == {"pitch_rate_damper gain", "yaw_damper gain"}
+    (found,) = improvements(verdict, candidates, IV_A)
+    assert (found.name, found.level) == ("yaw_damper gain", 1)
+    again = close(A4D, law_for(f"pitch_rate_damper gain=0.1; yaw_damper gain={found.wanted}", A4D).law)
+    assert next(v.level for v in assess(again, IV_A) if v.mode == "dutch_roll") == 1
 
 
 def test_nothing_is_promised_that_cannot_be_had() -> None:

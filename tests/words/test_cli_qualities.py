@@ -121,6 +121,16 @@ def test_an_edited_aircraft_is_judged() -> None:
     assert levels == [1, 2, 3]
 
 
+def test_a_closed_loop_is_judged_and_its_gain_may_be_what_to_change() -> None:
+    found = asked("A-4D", "--law", "yaw_damper gain=0.05")
+    assert found["law"]["gains"]["yaw_damper"]["gain"] == 0.05
+    dutch_roll = next(v for v in found["verdicts"] if v["mode"] == "dutch_roll")
+    assert dutch_roll["value"] > next(v for v in asked("A-4D")["verdicts"] if v["mode"] == "dutch_roll")["value"]
+    assert "yaw_damper gain" in [i["name"] for i in found["improvements"]]
+    response = next(v for v in asked("A-4D", "--actuators")["verdicts"] if v["mode"] == "response")
+    assert (response["level"], response["value"]) == (1, pytest.approx(0.05))
+
+
 def test_delay_goes_with_an_aircraft() -> None:
     verdicts = {v["mode"]: v for v in asked("A-4D", "--delay", "0.15")["verdicts"]}
     assert verdicts["response"]["level"] == 2
@@ -153,7 +163,7 @@ def test_charts_are_written(suffix: str, tmp_path: Path) -> None:
             ["--criterion", "mil_f_8785c_spiral", "--zeta-sp", "0.2"],
             "mil_f_8785c_spiral does not read --zeta-sp. It reads: --t2-spiral.",
         ),
-        (["--zeta-sp", "0.3", "--set", "Cm_q=0"], "--set changes an aircraft: name one."),
+        (["--zeta-sp", "0.3", "--set", "Cm_q=0"], "--set, --law and --actuators need an aircraft: name one."),
         (["A-4D", "--set", "Cm_z=0"], "There is no number of the A-4D named 'Cm_z'."),
         (["--zeta-sp", "nan"], "--zeta-sp is nan; it must be a finite number."),
         (["--omega-sp", "0", "--n-alpha", "9"], "--omega-sp is 0; it must be greater than zero."),

@@ -7,20 +7,20 @@ by halving. What the change costs elsewhere is found the same way, by asking all
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from fdes.aircraft import FlightCondition
 from fdes.aircraft.edit import Change, edited
 from fdes.aircraft.knobs import knobs
 from fdes.aircraft.role import Role
+from fdes.analysis.designed import Designed
 from fdes.analysis.linearize import linear_model
 from fdes.analysis.measured import measure
 from fdes.analysis.qualities import assess, chosen
 from fdes.analysis.verdict import WORSE, Verdict, level_name
-from fdes.control import LinearModel
+from fdes.control import Law, LinearModel
 from fdes.errors import FdesError
-from fdes.physics.derivatives import Form
 
 # What each mode hangs on most: Nelson, sections 4.5 and 5.3, and Etkin and Reid, sections 6.3 and 6.8. The names on the
 # right are dimensional.
@@ -45,6 +45,7 @@ MOVED_BY = {
     "spiral": ("Cl_beta", "Cn_r", "Cl_r", "Cn_beta", "L_beta", "L_v", "N_r", "L_r"),
     "roll_spiral": ("Cl_beta", "Cl_p", "Cn_beta", "Cn_r", "L_beta", "L_v", "L_p", "N_r"),
 }
+HIGHER = 4.0  # times a gain: how far it is turned up
 STEPS = 10  # from the present value to either end of the range
 HALVINGS = 14  # then: to a hundred-thousandth of the range
 DIGITS = 3  # of what is proposed
@@ -96,25 +97,46 @@ class Improvement:
 
 
 def adjustables(
-    condition: FlightCondition,
-    mode: str,
-    form: Form = "full",
-    closed: Callable[[LinearModel], LinearModel] | None = None,
+    condition: FlightCondition, mode: str, model_of: Callable[[FlightCondition], LinearModel] = linear_model
 ) -> list[Adjustable]:
-    """The derivatives of `condition` that `mode` hangs on, each within its own sign. `closed` closes a loop round."""
+    """The derivatives of `condition` that `mode` hangs on, each within its own sign.
+
+    model_of: what is judged of a changed aircraft: its linear model, or a loop closed round it.
+    """
     found = []
     for knob in knobs(condition):
         if knob.name not in MOVED_BY.get(mode, ()):
             continue
 
         def model(value: float, name: str = knob.name, unit: str = knob.unit) -> LinearModel:
-            changed = linear_model(edited(condition, [Change(name, "=", value, unit)]), form)
-            return closed(changed) if closed else changed
+            return model_of(edited(condition, [Change(name, "=", value, unit)]))
 
         low = max(knob.low, 0.0) if knob.value > 0.0 else knob.low
         high = min(knob.high, 0.0) if knob.value < 0.0 else knob.high
         found.append(Adjustable(knob.name, knob.unit, knob.value, low, high, model))
     return found
+
+
+def gains(designed: Designed, model_of: Callable[[Law], LinearModel]) -> list[Adjustable]:
+    """The gains of a law, each from zero to `HIGHER` times itself. model_of: the loop closed by a law."""
+    found = []
+    for part, fields in designed.gains.items():
+        for field, value in fields.items():
+            if "gain" not in field or not 0.0 < value < math.inf:
+                continue
+
+            def model(wanted: float, part: str = part, field: str = field) -> LinearModel:
+                return model_of(_with_gain(designed.law, part, field, wanted))
+
+            found.append(Adjustable(f"{part} {field}", "1", value, 0.0, HIGHER * value, model))
+    return found
+
+
+def _with_gain(law: Any, name: str, gain: str, value: float) -> Any:
+    """The law with another gain in the part of it that is called `name`."""
+    if type(law).__name__.casefold() == name.replace("_", "") and hasattr(law, gain):
+        return replace(law, **{gain: value})
+    return replace(law, inner=_with_gain(law.inner, name, gain, value)) if hasattr(law, "inner") else law
 
 
 def improvements(

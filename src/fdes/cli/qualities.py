@@ -5,7 +5,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AsJson, Changes, ConditionName, FormName, PlotFile, VariantName, chosen, form_of_equations
+from fdes.cli.options import (
+    AsJson,
+    Changes,
+    ConditionName,
+    FormName,
+    LawText,
+    OnActuators,
+    PlotFile,
+    VariantName,
+    chosen,
+    designed_law,
+    form_of_equations,
+)
 from fdes.cli.output import about, heading, number, print_json, screen, table
 from fdes.errors import SpecError
 
@@ -15,10 +27,12 @@ if TYPE_CHECKING:
 
     from rich.table import Table
 
+    from fdes.aircraft import FlightCondition
     from fdes.aircraft.role import Role
     from fdes.analysis.improvement import Improvement
     from fdes.analysis.measured import Measured
     from fdes.analysis.verdict import Verdict
+    from fdes.control import Law, LinearModel
 
 LARGEST_SHOWN = 9.995  # of a margin: beyond, it only says that the limit is far away
 FIELDS = "What is measured"  # the panel of --help
@@ -49,6 +63,8 @@ def qualities(
     variant: VariantName = "corrected",
     form: FormName = "full",
     changes: Changes = None,
+    law: LawText = None,
+    actuators: OnActuators = False,
     flying_class: ClassName = None,
     category: CategoryName = None,
     phase: PhaseName = None,
@@ -75,7 +91,8 @@ def qualities(
 ) -> None:
     """Levels of flying qualities by MIL-F-8785C, their margins, and what to change to reach the next Level.
 
-    Name an aircraft, or one criterion with what it reads. What is left out limits the verdict, which says so.
+    Name an aircraft, or one criterion with what it reads. What is left out limits the verdict, which says so. With
+    --law the closed loop is judged, continuous, and its gains are among what may be changed.
     """
     from fdes.cli.plot import target_of
 
@@ -98,8 +115,8 @@ def qualities(
     known = {name: value for name, value in given.items() if value is not None}
     _check(known)
     if aircraft is None:
-        if changes:
-            raise SpecError("--set changes an aircraft: name one.")
+        if changes or law or actuators:
+            raise SpecError("--set, --law and --actuators need an aircraft: name one.")
         _judge_numbers(known, criterion, (flying_class, category, phase), target, json)
         return
     if set(known) - {"delay"}:
@@ -108,26 +125,40 @@ def qualities(
         )
     from fdes.aircraft.role import role_of
     from fdes.analysis import linear_model
-    from fdes.analysis.improvement import adjustables, improvements, unreachable
+    from fdes.analysis.closed_loop import close
+    from fdes.analysis.improvement import adjustables, gains, improvements, unreachable
     from fdes.analysis.measured import measure
     from fdes.analysis.qualities import judge
+    from fdes.flight.actuated import actuators_of
 
     ready = chosen(aircraft, condition, variant, changes)
     role = role_of(ready.document, ready.condition).but(flying_class, category, phase)
-    measured = measure(linear_model(ready, wanted), delay)
+    designed = designed_law(law or "direct", ready, wanted) if law or actuators else None
+    on = actuators_of(ready) if actuators else None
+
+    def loop(changed: "FlightCondition", other: "Law | None" = None) -> "LinearModel":
+        if designed is None:
+            return linear_model(changed, wanted)
+        return close(changed, other or designed.law, actuators=on, form=wanted)
+
+    measured = measure(loop(ready), delay, airframe=linear_model(ready, wanted))
     verdicts = judge(measured, role, _names(criterion))
-    title = heading(ready, form)
+    title = heading(ready, form) + (f", law {designed.text}" if designed and law else "")
     _draw(measured, role, _names(criterion), target, title)
     better: list[Improvement] = []
     hopeless = []
     for verdict in verdicts:
-        candidates = adjustables(ready, verdict.mode, wanted)
+        candidates = adjustables(ready, verdict.mode, loop)
+        if designed:
+            candidates += gains(designed, lambda other: loop(ready, other))
         found = improvements(verdict, candidates, role, delay)
         better += found
         if not found:
             hopeless += [f"{_words(verdict.mode)}: {said}" for said in [unreachable(verdict, candidates)] if said]
     if json:
-        print_json(_as_json(role, verdicts) | about(ready, form) | {"improvements": [i.as_dict() for i in better]})
+        extra = {"law": designed.as_dict()} if designed else {}
+        changes_found = {"improvements": [i.as_dict() for i in better]}
+        print_json(_as_json(role, verdicts) | about(ready, form) | changes_found | extra)
         return
     _show(title, role, verdicts)
     _show_improvements(better, hopeless)
