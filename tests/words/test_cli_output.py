@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 from fdes import __version__
 from fdes.aircraft import catalogue, load
 from fdes.cli import app
+from fdes.cli.output import track, working
 from fdes.physics.derivatives import FORMS
 
 CONDITIONS = [(a.id, c.id) for a in catalogue() for c in a.conditions]
@@ -23,6 +24,7 @@ COMMANDS = [
     ["qualities"],
     ["derivatives"],
     ["simulate"],
+    ["whatif"],
     ["aircraft"],
     ["aircraft", "list"],
     ["aircraft", "show"],
@@ -201,3 +203,20 @@ def test_shelves_name_every_part() -> None:
     assert fits(text)
     for part in ("kutta_merson", "direct", "three_two_one_one"):
         assert part in text
+
+
+def test_what_takes_long_shows_how_far_it_is_on_a_terminal_only(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert list(track([1, 2], "Flying again")) == [1, 2]
+    with working("Drawing"):
+        pass
+    assert capsys.readouterr() == ("", "")
+    monkeypatch.setenv("FORCE_COLOR", "1")  # what makes Rich take anything for a terminal
+    assert list(track([1, 2], "Flying again")) == [1, 2]
+    with working("Drawing"):
+        pass
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "Flying again" in said.err
+    assert "Drawing" in said.err

@@ -5,13 +5,19 @@ Rich is imported when something is drawn, so that `fdes --version` and `--json` 
 
 import json
 import sys
-from typing import TYPE_CHECKING, Any
+from contextlib import contextmanager, nullcontext
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
     from rich.console import Console
     from rich.table import Table
 
     from fdes.aircraft import FlightCondition
+
+
+Item = TypeVar("Item")
 
 
 def screen() -> "Console":
@@ -49,6 +55,22 @@ def about(ready: "FlightCondition", form: str) -> dict[str, Any]:
         "changes": [str(change) for change in ready.changes],
         "units": "SI",
     }
+
+
+def track(items: "Sequence[Item]", what: str) -> "Iterator[Item]":
+    """`items` one by one, with a bar on stderr that says how far `what` has come; on a terminal only."""
+    from rich.progress import track as tracked
+
+    console = aside()
+    yield from tracked(items, what, console=console, transient=True, disable=not console.is_terminal)
+
+
+@contextmanager
+def working(what: str) -> "Iterator[None]":
+    """Say on stderr that `what` is going on, for as long as it does; on a terminal only."""
+    console = aside()
+    with console.status(what) if console.is_terminal else nullcontext():
+        yield
 
 
 def complain(text: str) -> None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fdes.cli.options import AsJson
-from fdes.cli.output import number, print_json, screen, table
+from fdes.cli.output import number, print_json, screen, table, working
 from fdes.errors import SpecError
 
 if TYPE_CHECKING:
@@ -108,12 +108,10 @@ def paper(
     target = Path(out)
     if target.suffix != ".html" or not target.parent.is_dir():
         raise SpecError(f"{out} cannot be written: name a file that ends in .html in a folder that exists.")
-    figures, tables = paper_figures(), table_claims()
+    with working("Flying the paper's figures"):
+        figures, tables, taken = paper_figures(), table_claims(), execution_times()
     claims = [claim for figure in figures for claim in figure.claims] + tables
-    times = [
-        (r["integrator"].replace("_", "-"), f"{r['step']:g}", f"{r['total']:g}", f"{r['now']:.3f}")
-        for r in execution_times()
-    ]
+    times = [(r["integrator"].replace("_", "-"), f"{r['step']:g}", f"{r['total']:g}", f"{r['now']:.3f}") for r in taken]
     target.write_text(
         report.page(
             "The UTM-FDES paper, flown again",
@@ -161,7 +159,8 @@ def nesc(
     target = None if out is None else Path(out)
     if target is not None and (target.suffix != ".html" or not target.parent.is_dir()):
         raise SpecError(f"{out} cannot be written: name a file that ends in .html in a folder that exists.")
-    found = check_cases(data)
+    with working("Flying NASA's check cases"):
+        found = check_cases(data)
     failed = sum(not c.passed for c in found)
     if target is not None:
         from fdes.analysis.check_cases_report import check_cases_page

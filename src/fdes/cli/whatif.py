@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fdes.cli.options import AsJson
-from fdes.cli.output import note, number, print_json, screen, table
+from fdes.cli.output import note, number, print_json, screen, table, track
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import UNIT_SYSTEMS
 
@@ -58,7 +58,7 @@ def whatif(
     path = _path(recording, data)
     recorded = open_recording(path)
     asked = [Variation.parse(text) for text in variations or [""]]
-    flown = [(v.text or "flown again", what_if(recorded, v)) for v in asked]
+    flown = [(v.text or "flown again", what_if(recorded, v)) for v in track(asked, "Flying again")]
     if target is not None:
         from fdes.analysis.plots import overlay
 
