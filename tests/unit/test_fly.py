@@ -8,6 +8,7 @@ import pytest
 from fdes.aircraft import load
 from fdes.control import Stick
 from fdes.control.laws.direct import Direct
+from fdes.control.laws.yaw_damper import YawDamper
 from fdes.errors import Departed, SpecError
 from fdes.flight import Clock, Edit, Excitation, Frame, HandsOff, SameStick, Setup, SteadyAir, fly, plant_of
 from fdes.physics.signals import Air
@@ -112,3 +113,18 @@ def test_an_unstable_integrator_departs_with_words() -> None:
 def test_a_bad_time_step_is_refused(dt: float) -> None:
     with pytest.raises(SpecError, match=r"The time step is .* must be a positive number"):
         Clock(dt)
+
+
+def test_a_law_that_stays_remembers_through_an_edit_of_the_aircraft() -> None:
+    plant, direct = setup()
+    damper = YawDamper(direct, 0.5)
+
+    def washout_after(edit: Edit | None) -> float:
+        at_one_second = lambda t: edit if t == 1.0 else None  # noqa: E731  shorter than a function
+        clock = Clock(0.125, 4, 1.0)
+        last = list(fly(plant.start(), Setup(plant, damper), stirring, SteadyAir(), clock, edits=at_one_second))[-1]
+        return float(last.memory.washout)
+
+    same = Edit(plant=setup(form="nelson").plant, law=YawDamper(direct, 0.5))
+    assert washout_after(same) == washout_after(None) != 0.0
+    assert washout_after(Edit(law=YawDamper(direct, 0.6))) != washout_after(None)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from fdes.aircraft import load
+from fdes.analysis.design import law_for
 from fdes.analysis.what_if import Variation, what_if
 from fdes.cockpit.craft import make_craft
 from fdes.cockpit.sortie import Sortie, open_recorder
@@ -107,3 +108,18 @@ def test_recording_that_does_not_say_what_was_flown() -> None:
     bare = Recording({"dt": 0.1}, flight.columns, flight.data, (), True)
     with pytest.raises(RecordingError, match="its header lacks document, condition, variant, form, integrator"):
         what_if(bare)
+
+
+def test_law_and_actuators_of_a_recording_fly_again_bit_for_bit() -> None:
+    condition = load("A-4D").at("M0.4_SL")
+    designed = law_for("yaw_damper; pitch_rate_pi", condition)
+    flown = simulate(
+        condition,
+        ["doublet rudder 3deg for 1s", "doublet elevator 2deg for 1s"],
+        clock=Clock(1.0 / 120.0, duration=4.0),
+        law=designed.law,
+        said=designed.text,
+        actuators=True,
+    )
+    assert "state_rudder_position" in [c.name for c in flown.columns]
+    np.testing.assert_array_equal(what_if(flown).recording.data, flown.data)

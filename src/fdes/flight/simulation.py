@@ -153,8 +153,9 @@ def fly(
     """Fly from state `x`, one frame at a time, for as long as the clock runs.
 
     `excitation` is added to the law's command, as a test input is. `edits` may change plant, law or state at a frame
-    boundary. A flight begins with the surfaces at trim and the law without a bump; or, to be flown again from its
-    middle, with those that were `held` in the frame `after` and the memory that the law had there.
+    boundary; a law that stays keeps what it remembers, unless the flight begins anew. A flight begins with the surfaces
+    at trim and the law without a bump; or, to be flown again from its middle, with those that were `held` in the frame
+    `after` and the memory that the law had there.
     Raises Departed when the state leaves what numbers can hold.
     """
     plant, law = setup
@@ -166,13 +167,15 @@ def fly(
         edit = edits(t)
         stick = pilot(t)
         if edit is not None:
+            before = law
             plant, law = edit.plant or plant, edit.law or law
             if edit.state is not None:
                 x, held = edit.state, plant.trim()
             if edit.disturb is not None:
                 x = edit.disturb(x)
             y = plant.observe(x, held, air)
-            memory = law.start(y, stick)
+            if edit.state is not None or law != before:
+                memory = law.start(y, stick)
         commanded, remembered = law.step(y, stick, memory, clock.dt)
         added = excitation(t)
         command = commanded if added is NO_EXCITATION else Surfaces(*map(float.__add__, commanded, added))
