@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from fdes.aircraft import load
+from fdes.cockpit import commands, wire
 from fdes.cockpit import session as session_module
 from fdes.cockpit import sortie as sortie_module
-from fdes.cockpit import wire
 from fdes.cockpit.craft import Craft, condition_name, make_craft
 from fdes.cockpit.excite import excite, held, preview
 from fdes.cockpit.fleet import Fleet, craft_of
@@ -309,7 +309,10 @@ def test_a_disturbance_is_added_to_the_state_and_recorded_as_an_edit(session: Se
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda s: excite(s, wire.PutIn("stp aileron 1deg")), "There is no input named 'stp'. Did you mean 'step'?"),
+        (
+            lambda s: excite(s, commands.PutIn("stp aileron 1deg")),
+            "There is no input named 'stp'. Did you mean 'step'?",
+        ),
         (lambda s: s.disturb("bta=5deg"), "There is no state named 'bta'. Did you mean 'beta'?"),
     ],
 )
@@ -371,7 +374,7 @@ def test_held_values_are_added_and_recorded_until_they_are_cleared(session: Sess
 
 
 def test_a_measured_history_is_flown_as_it_is(session: Session) -> None:
-    excite(session, wire.PutInHistory("aileron", (5.0, 5.1, 5.2), (0.0, 0.1, 0.0)))
+    excite(session, commands.PutInHistory("aileron", (5.0, 5.1, 5.2), (0.0, 0.1, 0.0)))
     added = []
     for _ in range(40):
         ticks(session, 1)
@@ -379,18 +382,18 @@ def test_a_measured_history_is_flown_as_it_is(session: Session) -> None:
     assert max(added) == pytest.approx(0.1)
     assert added[-1] == 0.0
     with pytest.raises(SpecError, match="must grow from row to row; row 2 goes from 1 s to 1 s"):
-        excite(session, wire.PutInHistory("aileron", (1.0, 1.0), (0.0, 0.1)))
+        excite(session, commands.PutInHistory("aileron", (1.0, 1.0), (0.0, 0.1)))
 
 
 def test_inputs_that_are_over_are_forgotten_and_too_many_are_refused(session: Session) -> None:
     for _ in range(3):
         for _ in range(60):
-            excite(session, wire.PutIn("pulse elevator 0.01deg for 0.05s"))
+            excite(session, commands.PutIn("pulse elevator 0.01deg for 0.05s"))
         ticks(session, 20)
     for _ in range(64):
-        excite(session, wire.PutIn("step elevator 0.01deg"))
+        excite(session, commands.PutIn("step elevator 0.01deg"))
     with pytest.raises(SpecError, match=r"64 test inputs are under way, and 64 can be at once\. End them all"):
-        excite(session, wire.PutIn("step elevator 0.01deg"))
+        excite(session, commands.PutIn("step elevator 0.01deg"))
 
 
 @pytest.mark.parametrize(
@@ -425,7 +428,7 @@ def test_the_network_cannot_name_a_file(session: Session, tmp_path: Path) -> Non
     refusals = set()
     for path in (there, tmp_path / "none.csv"):
         text = f"measured elevator {path}"
-        for ask in (lambda t: excite(session, wire.PutIn(t)), preview, lambda t: excite(session, wire.Hold(t))):
+        for ask in (lambda t: excite(session, commands.PutIn(t)), preview, lambda t: excite(session, commands.Hold(t))):
             with pytest.raises(FdesError) as no:
                 ask(text)
             refusals.add(str(no.value).replace(str(path), "PATH")[:60])

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from fdes.cockpit import wire
+from fdes.cockpit import commands, wire
 from fdes.control import Stick
 from fdes.errors import SpecError
 from fdes.physics.signals import Outputs
@@ -67,23 +67,23 @@ def test_says_what_is_wrong_with_an_input_frame(data: bytes, words: str) -> None
 @pytest.mark.parametrize(
     ("said", "meant"),
     [
-        ({"name": "freeze", "value": True}, wire.Freeze(True)),
-        ({"name": "reset"}, wire.Reset()),
-        ({"name": "step", "more": "is passed over"}, wire.Step()),
-        ({"name": "record", "value": False}, wire.Record(False)),
-        ({"name": "aircraft", "aircraft": "NAVION"}, wire.ChooseAircraft("NAVION", None, "corrected")),
+        ({"name": "freeze", "value": True}, commands.Freeze(True)),
+        ({"name": "reset"}, commands.Reset()),
+        ({"name": "step", "more": "is passed over"}, commands.Step()),
+        ({"name": "record", "value": False}, commands.Record(False)),
+        ({"name": "aircraft", "aircraft": "NAVION"}, commands.ChooseAircraft("NAVION", None, "corrected")),
         (
             {"name": "aircraft", "aircraft": "A-4D", "condition": "M0.4_SL", "variant": "printed"},
-            wire.ChooseAircraft("A-4D", "M0.4_SL", "printed"),
+            commands.ChooseAircraft("A-4D", "M0.4_SL", "printed"),
         ),
-        ({"name": "aircraft", "aircraft": "A-4D", "condition": None}, wire.ChooseAircraft("A-4D")),
-        ({"name": "replay", "recording": "one"}, wire.PlayBack("one")),
-        ({"name": "seek", "t": 3}, wire.Seek(3.0)),
-        ({"name": "stop_replay"}, wire.StopReplay()),
-        ({"name": "ping"}, wire.Ping()),
+        ({"name": "aircraft", "aircraft": "A-4D", "condition": None}, commands.ChooseAircraft("A-4D")),
+        ({"name": "replay", "recording": "one"}, commands.PlayBack("one")),
+        ({"name": "seek", "t": 3}, commands.Seek(3.0)),
+        ({"name": "stop_replay"}, commands.StopReplay()),
+        ({"name": "ping"}, commands.Ping()),
     ],
 )
-def test_reads_commands(said: dict[str, Any], meant: wire.Command) -> None:
+def test_reads_commands(said: dict[str, Any], meant: commands.Command) -> None:
     assert wire.command_of(wire.read_text(command(**said))) == meant
 
 
@@ -137,9 +137,9 @@ def history(*rows: tuple[float, float], kind: int = 3, version: int = 1, channel
 
 def test_a_measured_history_is_laid_out_as_documented() -> None:
     data = history((0.0, 0.1), (0.5, -0.1))
-    assert wire.is_history(data)
-    assert not wire.is_history(input_frame(0, 0, 0, 0))
-    assert wire.unpack_history(data) == (9, wire.PutInHistory("aileron", (0.0, 0.5), (0.1, -0.1)))
+    assert wire.is_command(data)
+    assert not wire.is_command(input_frame(0, 0, 0, 0))
+    assert wire.unpack_history(data) == (9, commands.PutInHistory("aileron", (0.0, 0.5), (0.1, -0.1)))
     assert wire.INPUT_CHANNELS[4:] == ("gust_u", "gust_v", "gust_w", "alpha_g", "beta_g")
 
 
@@ -159,4 +159,4 @@ def test_says_what_is_wrong_with_a_history(data: bytes, words: str) -> None:
 
 
 def test_no_command_carries_a_history_or_a_path() -> None:
-    assert wire.PutInHistory not in wire.COMMANDS.values()
+    assert commands.PutInHistory not in commands.COMMANDS.values()

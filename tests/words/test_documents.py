@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import fdes
-from fdes.cockpit import wire
+from fdes.cockpit import commands
 from fdes.physics.derivatives import FORMS, Coefficients
 from fdes.physics.signals import Channel, Outputs, channels
 from fdes.shelf import SHELVES
@@ -78,4 +78,4 @@ def test_contributing_says_where_a_part_goes(package: str) -> None:
 
 def test_every_command_of_the_wire_is_described() -> None:
     described = text_of("docs/wire.md")
-    assert [name for name in wire.COMMANDS if f"`{name}`" not in described] == []
+    assert [name for name in commands.COMMANDS if f"`{name}`" not in described] == []

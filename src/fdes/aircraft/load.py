@@ -149,18 +149,25 @@ def _of_hangar(stem: str) -> Aircraft:
     return _read(HANGAR / f"{stem}.toml")
 
 
+def aircraft_of(text: str, where: str) -> Aircraft:
+    """An aircraft from the text of a file; `where` says whose, in errors. Raises AircraftFileError."""
+    try:
+        document = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise AircraftFileError(f"{where} cannot be used: it is not TOML. {error}.") from None
+    return parse(document, where)
+
+
 def _read(path: Traversable) -> Aircraft:
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise AircraftFileError(f"There is no aircraft file {path}. {_beside(path)}") from None
     except UnicodeDecodeError:
         raise AircraftFileError(f"{path} cannot be used: it is not text in UTF-8.") from None
     except OSError as error:
         raise AircraftFileError(f"{path} cannot be read: {error.strerror or error}.") from None
-    except tomllib.TOMLDecodeError as error:
-        raise AircraftFileError(f"{path} cannot be used: it is not TOML. {error}.") from None
-    return parse(document, str(path))
+    return aircraft_of(text, str(path))
 
 
 def _beside(path: Traversable) -> str:

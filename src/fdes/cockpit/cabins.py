@@ -8,11 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from fdes import __version__
-from fdes.cockpit import wire
+from fdes.cockpit import commands, wire
+from fdes.cockpit.answers import Question, answer
 from fdes.cockpit.craft import Craft, make_craft
-from fdes.cockpit.excite import excite, preview
+from fdes.cockpit.excite import excite
 from fdes.cockpit.fleet import Fleet, craft_of
+from fdes.cockpit.history import History
 from fdes.cockpit.hub import RATE, Hub, percentiles
+from fdes.cockpit.laboratory import Editing, laboratory, ready, wanted
 from fdes.cockpit.replay import replay_of
 from fdes.cockpit.session import EVERY_MOVING, Session
 from fdes.cockpit.viewer import Viewer
@@ -32,10 +35,11 @@ _NAME = re.compile(r"[A-Za-z0-9_-]{1,40}")
 
 @dataclass
 class Cabin:
-    """A session with those who are in it. `told` is the craft that they have been told of."""
+    """A session with those who are in it. `told` is the craft that they have been told of, `past` what was edited."""
 
     session: Session
     told: Craft
+    past: History = field(default_factory=History)
     viewers: set[Viewer] = field(default_factory=set)
     pilot: Viewer | None = None
     leaving: asyncio.TimerHandle | None = None
@@ -90,6 +94,8 @@ class Cabins:
         self._nobody.clear()
         cabin.pilot = cabin.pilot or viewer
         viewer.tell(**self._hello(cabin, viewer))
+        for message in laboratory(cabin.session.shown, cabin.past):
+            viewer.tell(**message)
         if cabin.leaving is not None:
             cabin.leaving.cancel()
             cabin.leaving = None
@@ -116,30 +122,47 @@ class Cabins:
         if cabin.session.put(given):
             self._later(cabin.session.start_recording)
 
-    async def obey(self, cabin: Cabin, viewer: Viewer, command: wire.Command) -> dict[str, Any]:
+    async def obey(self, cabin: Cabin, viewer: Viewer, command: commands.Command) -> dict[str, Any]:
         """Carry out a command; what the reply says besides "ok". Raises FdesError when it cannot be."""
-        if isinstance(command, wire.Ping | wire.Preview):
-            return preview(command.text) if isinstance(command, wire.Preview) else {}
+        if isinstance(command, Question):
+            return answer(command, cabin.session.shown)
         if viewer is not cabin.pilot:
             raise SpecError(_observing(cabin, "gives the commands"))
         session = cabin.session
         match command:
-            case wire.Record(True):
-                return {"recording": await asyncio.to_thread(session.start_recording)}
-            case wire.Record(False):
-                return {"recording": session.stop_recording()}
-            case wire.ChooseAircraft() | wire.Equations():
+            case commands.Record(begin):
+                work = session.start_recording if begin else session.stop_recording
+                return {"recording": await asyncio.to_thread(work)}
+            case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft():
                 session.change(await asyncio.to_thread(self._craft, session.flown, command))
-            case wire.PutIn() | wire.PutInHistory() | wire.Hold():
+                cabin.past = History()
+            case commands.Edit() | commands.Undo() | commands.Redo() | commands.Judge():
+                await self._edit(cabin, command)
+            case commands.PutIn() | commands.PutInHistory() | commands.Hold():
                 if excite(session, command):
                     self._later(session.start_recording)
-            case wire.Delete(recording):
+            case commands.Delete(recording):
                 await asyncio.to_thread(self._delete, recording)
-            case wire.PlayBack(recording):
+            case commands.PlayBack(recording):
                 await asyncio.to_thread(self._play, session, recording)
             case _:
                 _obey_at_once(session, command)
         return {}
+
+    async def _edit(self, cabin: Cabin, command: Editing) -> None:
+        """Change the aircraft in flight, and tell at once. The work is done in a thread: it never costs a tick."""
+        flown, past = cabin.session.flown, cabin.past
+        changes, role = wanted(command, flown, past)
+        craft = await asyncio.to_thread(ready, flown, changes, role)
+        cabin.session.edit(craft)
+        match command:
+            case commands.Edit(dragging=dragging):
+                past.note(flown.changes, dragging=dragging)
+            case commands.Undo():
+                past.undone(flown.changes)
+            case commands.Redo():
+                past.redone(flown.changes)
+        self._tell_how_it_stands(cabin)
 
     def recording(self, name: str) -> Path:
         """The file of a recording. Only a name that the folder lists is one: nothing else is ever looked for."""
@@ -148,10 +171,16 @@ class Cabins:
                 return path
         raise RecordingError(f"There is no recording named {name[:80]!r}.")
 
-    def _craft(self, flown: Craft, wanted: wire.ChooseAircraft | wire.Equations) -> Craft:
-        if isinstance(wanted, wire.Equations):
-            return make_craft(flown.condition, wanted.form, wanted.integrator, wanted.step)
-        return self.fleet.craft(wanted.aircraft, wanted.condition, wanted.variant, flown)
+    def _craft(
+        self, flown: Craft, asked: commands.ChooseAircraft | commands.Equations | commands.OpenAircraft
+    ) -> Craft:
+        match asked:
+            case commands.Equations(form, integrator, step):
+                return make_craft(flown.base, form, integrator, step, flown.changes, flown.role)
+            case commands.OpenAircraft(text):
+                return self.fleet.opened(text, flown)
+            case commands.ChooseAircraft(aircraft, condition, variant):
+                return self.fleet.craft(aircraft, condition, variant, flown)
 
     def _delete(self, name: str) -> None:
         if not self.may_delete:
@@ -229,10 +258,11 @@ class Cabins:
                 self._tell_how_it_stands(cabin)
 
     def _tell_how_it_stands(self, cabin: Cabin) -> None:
-        messages = []
-        if cabin.session.shown is not cabin.told:
-            cabin.told = cabin.session.shown
-            messages = [{"type": "aircraft", **cabin.told.briefing}, {"type": "modes", "modes": cabin.told.modes}]
+        messages, before, now = [], cabin.told, cabin.session.shown
+        if now is not before:
+            cabin.told = now
+            messages = [{"type": "aircraft", **now.briefing}, {"type": "modes", "modes": now.modes}]
+            messages += laboratory(now, cabin.past, whole=now.base is not before.base)
         for message in (*messages, self.status(cabin)):
             for viewer in cabin.viewers:
                 viewer.tell(**message)
@@ -262,22 +292,22 @@ def _observing(cabin: Cabin, does: str) -> str:
     return f"You are observing: the pilot of this session {does}."
 
 
-def _obey_at_once(session: Session, command: wire.Command) -> None:
+def _obey_at_once(session: Session, command: commands.Command) -> None:
     """Carry out a command that needs no time."""
     match command:
-        case wire.Freeze(True):
+        case commands.Freeze(True):
             session.freeze()
-        case wire.Freeze(False):
+        case commands.Freeze(False):
             session.run()
-        case wire.Reset():
+        case commands.Reset():
             session.reset()
-        case wire.Step():
+        case commands.Step():
             session.step()
-        case wire.ClearInputs():
+        case commands.ClearInputs():
             session.clear_inputs()
-        case wire.Disturb(text):
+        case commands.Disturb(text):
             session.disturb(text)
-        case wire.Seek(t):
+        case commands.Seek(t):
             session.seek(t)
-        case wire.StopReplay():
+        case commands.StopReplay():
             session.stop_replay()

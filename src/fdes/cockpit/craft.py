@@ -1,11 +1,18 @@
 """An aircraft made ready for the cockpit: what flies, and what page and recording are told of it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
-from fdes.aircraft import FlightCondition
-from fdes.analysis import Mode, modes
+from fdes.aircraft import FlightCondition, edited
+from fdes.aircraft.edit import editable, value_of
+from fdes.aircraft.knobs import knobs
+from fdes.aircraft.role import Role, role_of
+from fdes.analysis import Mode, linear_model, modes
 from fdes.analysis.approximations import mode_report
+from fdes.analysis.measured import measure
+from fdes.analysis.qualities import charts, judge
 from fdes.analysis.step_limit import step_limit
 from fdes.cockpit.hub import RATE
 from fdes.control.laws.direct import Direct
@@ -27,10 +34,14 @@ START_HEIGHT = 1500.0 * FOOT  # lowest start: room to make a mistake, still with
 class Craft:
     """An aircraft in a flight condition, its equations chosen, ready to fly.
 
+    `base` is the aircraft as its file has it, `condition` the same with the changes made to it in flight. `role` is by
+    what its flying qualities are judged, and `law` the text of its control law.
     `briefing` is the part of the wire's AIRCRAFT that it answers for, `modes` the mode dictionaries of the same plant.
     """
 
+    base: FlightCondition
     condition: FlightCondition
+    role: Role
     form: str
     integrator: str
     setup: Setup
@@ -38,28 +49,76 @@ class Craft:
     clock: Clock
     briefing: dict[str, Any]
     modes: list[dict[str, Any]]
+    natural: list[Mode]
+    law: str = "direct"
 
     def header(self) -> dict[str, Any]:
         """What a recording of it says first: enough to make the same craft again."""
-        return header_of(self.condition, self.form, self.integrator, self.clock)
+        return header_of(self.condition, self.form, self.integrator, self.clock, self.law)
+
+    def setup_note(self) -> dict[str, Any]:
+        """What a recording says where, in flight, it becomes this craft: its part of the header that edits change."""
+        return {"changes": [str(change) for change in self.condition.changes], "law": self.law}
+
+    @property
+    def changes(self) -> tuple[str, ...]:
+        """What was changed of `base`, in order, as text."""
+        return tuple(str(change) for change in self.condition.changes[len(self.base.changes) :])
+
+    def edited(self, changes: Iterable[str], role: Role | None = None) -> "Craft":
+        """The same with these changes to `base` instead of its own. Raises NoSuchPart, SpecError."""
+        return make_craft(self.base, self.form, self.integrator, self.clock.dt, changes, role or self.role)
+
+    @cached_property
+    def knobs(self) -> list[dict[str, Any]]:
+        """All that can be changed of `base`: see `fdes.aircraft.knobs`."""
+        return [vars(knob) for knob in knobs(self.base)]
+
+    @cached_property
+    def stability(self) -> dict[str, Any]:
+        """The changes, and the present value of each number that can be changed, SI, by name."""
+        names = editable(self.condition)
+        return {"changes": list(self.changes), "values": {name: value_of(self.condition, name) for name in names}}
+
+    @cached_property
+    def qualities(self) -> dict[str, Any]:
+        """The verdicts on its flying qualities, with their charts, and by which Class and Category."""
+        wanted = cast("Form", self.form)
+        measured = measure(linear_model(self.condition, wanted), None, self.natural)
+        return {
+            "role": {**vars(self.role), "says": str(self.role)},
+            "verdicts": [verdict.as_dict() for verdict in judge(measured, self.role)],
+            "charts": [chart.as_dict() for chart in charts(measured, self.role)],
+        }
 
 
-def make_craft(condition: FlightCondition, form: str = "full", integrator: str = "rk4", step: float = DT) -> Craft:
-    """Make `condition` ready to fly, one integrator step of `step` [s] a frame.
+def make_craft(
+    base: FlightCondition,
+    form: str = "full",
+    integrator: str = "rk4",
+    step: float = DT,
+    changes: Iterable[str] = (),
+    role: Role | None = None,
+) -> Craft:
+    """Make `base` with `changes` ready to fly, one integrator step of `step` [s] a frame.
 
-    Raises NoSuchPart for a form or an integrator that does not exist, SpecError for a step the cockpit cannot show.
+    Raises NoSuchPart for a form or an integrator that does not exist, SpecError for a step the cockpit cannot show,
+    and both for changes that cannot be made.
     """
     if not DT - 1e-9 <= step <= LONGEST_STEP:
         raise SpecError(
             f"A step of {step:g} s cannot be flown: the cockpit shows every step, of 1/{RATE} to {LONGEST_STEP:g} s."
         )
+    condition = edited(base, changes)
     plant = plant_of(condition, form, integrator, step)
     start = plant.start(max(condition.reference.h, START_HEIGHT))
     wanted = cast("Form", form)  # plant_of has checked it
     natural = modes(condition, wanted)
     told = mode_report(condition, wanted, natural)
     return Craft(
+        base=base,
         condition=condition,
+        role=role or role_of(base.document, base.condition),
         form=form,
         integrator=integrator,
         setup=Setup(plant, Direct(condition.full_stick)),
@@ -68,6 +127,7 @@ def make_craft(condition: FlightCondition, form: str = "full", integrator: str =
         briefing=_briefing(condition, form, integrator, step, start.h)
         | {"step_limit": _limit(plant, natural), "static": told["static"]},
         modes=told["modes"],
+        natural=natural,
     )
 
 

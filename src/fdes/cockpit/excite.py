@@ -6,7 +6,7 @@ No text from the network names a file: `Excitation.parse` is never told here tha
 from math import inf, isfinite
 from typing import Any
 
-from fdes.cockpit import wire
+from fdes.cockpit import commands
 from fdes.cockpit.session import Session
 from fdes.errors import SpecError
 from fdes.flight import Excitation
@@ -17,14 +17,14 @@ POINTS = 400  # of a preview
 REST = 0.15  # of the time an input lasts, shown before and after it
 
 
-def excite(session: Session, command: wire.PutIn | wire.PutInHistory | wire.Hold) -> bool:
+def excite(session: Session, command: commands.PutIn | commands.PutInHistory | commands.Hold) -> bool:
     """Put something in. True when a recording should begin. Raises SpecError, NoSuchPart."""
     match command:
-        case wire.PutIn(text):
+        case commands.PutIn(text):
             return session.put_in(Excitation.parse([text]))
-        case wire.PutInHistory(channel, times, values):
+        case commands.PutInHistory(channel, times, values):
             return session.put_in(Excitation(((channel, Measured(times, values)),)))
-        case wire.Hold(text):
+        case commands.Hold(text):
             return session.hold(*held(text))
 
 

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from fdes.aircraft import Aircraft, catalogue, parse
+from fdes.aircraft.load import aircraft_of
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.errors import FdesError, NoSuchPart
 
@@ -34,6 +35,14 @@ class Fleet:
             raise NoSuchPart("aircraft", aircraft, self.aircraft)
         return make_craft(self.aircraft[aircraft].at(condition, variant), like.form, like.integrator, like.clock.dt)
 
+    def opened(self, text: str, like: Craft) -> Craft:
+        """The aircraft of a file's `text`, in its first condition, with the equations and the step of `like`.
+
+        It is data and nothing else: no name in it is looked for as a file. Raises AircraftFileError.
+        """
+        aircraft = aircraft_of(text, "The file")
+        return make_craft(aircraft.at(), like.form, like.integrator, like.clock.dt)
+
     @cached_property
     def pictures(self) -> bytes:
         """What a picker shows of each aircraft, in SI, as JSON."""
@@ -47,7 +56,7 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     """
     try:
         flown = parse(header["document"], name).at(header["condition"], header["variant"])
-        return make_craft(flown, header["form"], header["integrator"], header["dt"])
+        return make_craft(flown, header["form"], header["integrator"], header["dt"], header.get("changes", ()))
     except (FdesError, KeyError, TypeError):
         return None
 

@@ -22,7 +22,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from fdes import __version__
-from fdes.cockpit import wire
+from fdes.cockpit import commands, wire
 from fdes.cockpit.cabins import Cabin, Cabins
 from fdes.cockpit.columns import chosen_columns
 from fdes.cockpit.files import Folder
@@ -204,9 +204,9 @@ async def listen(websocket: WebSocket, cabins: Cabins, cabin: Cabin, viewer: Vie
             if (data := message.get("bytes")) is None:
                 asked = wire.read_text(message["text"])
                 await reply(cabins, cabin, viewer, asked["id"], asked)
-            elif wire.is_history(data):
-                number, history = wire.unpack_history(data)
-                await reply(cabins, cabin, viewer, number, history)
+            elif wire.is_command(data):
+                number, given = wire.unpack_command(data)
+                await reply(cabins, cabin, viewer, number, given)
             else:
                 cabins.stick(cabin, viewer, wire.unpack_input(data))
         except FdesError as wrong:
@@ -214,7 +214,7 @@ async def listen(websocket: WebSocket, cabins: Cabins, cabin: Cabin, viewer: Vie
 
 
 async def reply(
-    cabins: Cabins, cabin: Cabin, viewer: Viewer, number: int, asked: wire.Command | dict[str, Any]
+    cabins: Cabins, cabin: Cabin, viewer: Viewer, number: int, asked: commands.Command | dict[str, Any]
 ) -> None:
     """Carry out the command of that `number`, read already or still a message, and say how it went."""
     try:

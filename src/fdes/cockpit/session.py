@@ -180,6 +180,14 @@ class Session:
             self._replay = None
             self._show = self.changed = True
 
+    def edit(self, craft: Craft) -> None:
+        """Fly on as `craft`, the same aircraft with other changes, from the next frame on. Raises SpecError."""
+        with self._lock:
+            if self._replay is not None:
+                raise SpecError("A recording is being replayed: end the replay before you edit the aircraft.")
+            self._sortie.craft = craft
+            self._show = self.changed = True
+
     def play(self, replay: Replay, craft: Craft | None = None) -> None:
         """Show a recording, of `craft` where that is known, and keep the flight frozen meanwhile."""
         with self._lock:
@@ -207,13 +215,14 @@ class Session:
         if sortie.recorder is not None:
             raise SpecError(f"{sortie.recorder.path.stem} is being recorded. End it before you start another.")
         try:
-            recorder = open_recorder(self._recordings, sortie.craft)
+            craft = sortie.craft
+            recorder = open_recorder(self._recordings, craft)
         except OSError as trouble:
             why = f"{self._recordings} cannot be written ({trouble.strerror or trouble})"
             with self._lock:
                 sortie.notice, self.changed = f"The flight is not recorded: {why}.", True
             raise SpecError(f"The flight is not recorded: {why}.") from trouble
-        if self._record_with(recorder, sortie):
+        if self._record_with(recorder, sortie, craft):
             return recorder.path.stem
         recorder.close("never begun")
         recorder.path.unlink(missing_ok=True)
@@ -240,12 +249,13 @@ class Session:
         self._show = self.changed = True
         return first and self._record and self._sortie.recorder is None
 
-    def _record_with(self, recorder: Recorder, sortie: Sortie) -> bool:
-        """Record `sortie`, if it is still the one that is flown and is not recorded yet."""
+    def _record_with(self, recorder: Recorder, sortie: Sortie, craft: Craft) -> bool:
+        """Record `sortie`, if it is still the one that is flown and is not recorded yet; the header says `craft`."""
         with self._lock:
             if sortie is not self._sortie or sortie.ended or sortie.recorder is not None:
                 return False
             sortie.recorder, sortie.touched, self.changed = recorder, True, True
+            sortie.announced = sortie.craft is craft  # it may have been edited while the disk was waited for
             return True
 
     def _go_on(self) -> None:

@@ -39,6 +39,8 @@ class Sortie:
     def __init__(self, craft: Craft, stick: Stick) -> None:
         """Begin, with the controls where `stick` has them."""
         self.craft = craft
+        self.announced = True  # whether the recording says what flies
+        self._aloft = craft  # what flew in the newest frame
         self.frozen = False
         self.ended = False
         self.touched = False
@@ -159,7 +161,27 @@ class Sortie:
         return self._everything.gusts(t) if self._everything.parts else NO_GUSTS
 
     def _take_edit(self, t: float) -> Edit | None:
-        return self._edits.pop(0) if self._edits else None
+        edit = self._edits.pop(0) if self._edits else None
+        if self.announced and self.craft.setup is self._aloft.setup:
+            return edit
+        return self._refitted(edit or Edit())
+
+    def _refitted(self, edit: Edit) -> Edit:
+        """`edit`, and with it the present craft instead of that which flew until now.
+
+        The state is kept: the deviations from undisturbed flight. With another altitude of the flight condition the
+        height goes along, for the air at it is what the equations are made of.
+        """
+        climb = self.craft.start.h - self._aloft.start.h
+        self._aloft, self.announced = self.craft, True
+        note = {**edit.note, **self.craft.setup_note()}
+        said = note.get("disturb")
+        if climb and edit.state is None:
+            said = f"h={climb!r}m" if said is None else f"h={climb!r}m, {said}"
+            note["disturb"] = said
+        plant, law = self.craft.setup
+        disturb = None if said is None else (lambda x: disturbed(x, [said]))
+        return edit._replace(plant=plant, law=law, disturb=disturb, note=note)
 
     def _record(self, frame: Frame) -> None:
         recorder = self.recorder

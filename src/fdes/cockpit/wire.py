@@ -1,4 +1,4 @@
-"""The wire between server and page, version 1: the layout of binary frames, and what commands may say.
+"""The wire between server and page, version 1: the layout of binary frames, and how commands are read.
 
 Binary messages are little-endian. A state frame is a header of 32 bytes and a float32 for each of `CHANNELS`:
 
@@ -13,17 +13,22 @@ A measured history is a header of 8 bytes and up to `MOST_ROWS` rows, in SI; its
 
     u8 type = 3 · u8 version · u16 place of the channel in INPUT_CHANNELS · u32 id · f64 t [s], f64 value for each row
 
+A document is a header of 8 bytes and a text in UTF-8, an aircraft file; its reply bears its id:
+
+    u8 type = 4 · u8 version · u16 place in DOCUMENTS · u32 id · text
+
 Everything else is JSON text with a "type".
 """
 
 import json
 import struct
 from collections.abc import Iterable
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, fields
 from math import isfinite
 from types import NoneType
-from typing import Any, NamedTuple, get_args, get_type_hints
+from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
+from fdes.cockpit.commands import COMMANDS, Command, OpenAircraft, PutInHistory
 from fdes.control import Stick
 from fdes.errors import SpecError, nearest
 from fdes.flight.excitation import UNITS
@@ -44,12 +49,15 @@ LATE = 32  # the machine fell behind within the last second
 STATE_TYPE = 1
 INPUT_TYPE = 2
 HISTORY_TYPE = 3
+DOCUMENT_TYPE = 4
+DOCUMENTS = (OpenAircraft,)
 MAX_TEXT = 4096  # bytes
+MOST_TEXTS = 64  # in a list
 MOST_ROWS = 4000  # of a history: less than the largest message that the server takes
 
 _STATE = struct.Struct(f"<BBHIdIId{len(CHANNELS)}f")
 _INPUT = struct.Struct("<BBHIdffff")
-_HISTORY = struct.Struct("<BBHI")
+_HISTORY = _DOCUMENT = struct.Struct("<BBHI")
 _ROW = struct.Struct("<dd")
 
 
@@ -60,160 +68,6 @@ class Input(NamedTuple):
     sequence: int = 0
     stamp: float = 0.0
 
-
-@dataclass(frozen=True)
-class Freeze:
-    """Stop or go on, flight or replay."""
-
-    value: bool
-
-
-@dataclass(frozen=True)
-class Reset:
-    """Back to undisturbed flight."""
-
-
-@dataclass(frozen=True)
-class Step:
-    """One frame, then frozen."""
-
-
-@dataclass(frozen=True)
-class Record:
-    """Start a new recording, or end the present one and keep it."""
-
-    value: bool
-
-
-@dataclass(frozen=True)
-class ChooseAircraft:
-    """Fly another aircraft, or another condition of it."""
-
-    aircraft: str
-    condition: str | None = None
-    variant: str = "corrected"
-
-
-@dataclass(frozen=True)
-class Equations:
-    """Fly the same aircraft on, from trim, with other equations, another integrator, or another step [s]."""
-
-    form: str
-    integrator: str
-    step: float
-
-
-@dataclass(frozen=True)
-class PutIn:
-    """Begin a test input now, such as ``doublet elevator 2deg for 1s``; its times count from now."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class PutInHistory:
-    """Begin a measured history on `channel` now: `times` [s] and `values` [SI]. It comes as a binary message."""
-
-    channel: str
-    times: tuple[float, ...]
-    values: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Hold:
-    """Hold a constant value on a channel, such as ``elevator 2deg``, until another is held, or all are cleared."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class Preview:
-    """What a test input will be, without putting it in."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class ClearInputs:
-    """End all test inputs, and let go of all values held."""
-
-
-@dataclass(frozen=True)
-class Disturb:
-    """Add a perturbation to the state, such as ``beta=5deg``."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class Delete:
-    """Delete a recording for good."""
-
-    recording: str
-
-
-@dataclass(frozen=True)
-class PlayBack:
-    """Show a recording instead of the flight."""
-
-    recording: str
-
-
-@dataclass(frozen=True)
-class Seek:
-    """Jump to `t` [s] after the start of the recording that is shown."""
-
-    t: float
-
-
-@dataclass(frozen=True)
-class StopReplay:
-    """Back to the flight, frozen where it was."""
-
-
-@dataclass(frozen=True)
-class Ping:
-    """Nothing but an answer."""
-
-
-Command = (
-    Freeze
-    | Reset
-    | Step
-    | Record
-    | ChooseAircraft
-    | Equations
-    | PutIn
-    | PutInHistory
-    | Hold
-    | Preview
-    | ClearInputs
-    | Disturb
-    | Delete
-    | PlayBack
-    | Seek
-    | StopReplay
-    | Ping
-)
-
-COMMANDS: dict[str, type[Command]] = {
-    "freeze": Freeze,
-    "reset": Reset,
-    "step": Step,
-    "record": Record,
-    "aircraft": ChooseAircraft,
-    "equations": Equations,
-    "input": PutIn,
-    "hold": Hold,
-    "preview": Preview,
-    "clear_inputs": ClearInputs,
-    "disturb": Disturb,
-    "delete": Delete,
-    "replay": PlayBack,
-    "seek": Seek,
-    "stop_replay": StopReplay,
-    "ping": Ping,
-}
 
 _SAID = {bool: "true or false", str: "a text", float: "a finite number", NoneType: "null"}
 
@@ -240,9 +94,30 @@ def unpack_input(data: bytes) -> Input:
     return Input(Stick(pitch, roll, yaw, min(max(controls[3], 0.0), 1.0)), sequence, stamp)
 
 
-def is_history(data: bytes) -> bool:
-    """Whether a binary message is meant as a measured history."""
-    return data[:1] == bytes([HISTORY_TYPE])
+def is_command(data: bytes) -> bool:
+    """Whether a binary message is meant as a command: a measured history, or a document."""
+    return data[:1] in {bytes([HISTORY_TYPE]), bytes([DOCUMENT_TYPE])}
+
+
+def unpack_command(data: bytes) -> tuple[int, Command]:
+    """Read a binary command: its id, and what it asks. Raises SpecError when it is none."""
+    return unpack_history(data) if data[0] == HISTORY_TYPE else unpack_document(data)
+
+
+def unpack_document(data: bytes) -> tuple[int, OpenAircraft]:
+    """Read a document: its id, and what it asks. Raises SpecError when it is none."""
+    if len(data) < _DOCUMENT.size:
+        raise SpecError(f"A document has {_DOCUMENT.size} bytes and a text; {len(data)} bytes came.")
+    _, version, kind, number = _DOCUMENT.unpack_from(data)
+    if version != VERSION:
+        raise SpecError(f"The document has version {version}; this server speaks version {VERSION}.")
+    if kind >= len(DOCUMENTS):
+        raise SpecError(f"There is no document of kind {kind}: 0 is an aircraft file.")
+    try:
+        text = data[_DOCUMENT.size :].decode()
+    except UnicodeDecodeError:
+        raise SpecError("The file is not text in UTF-8.") from None
+    return number, DOCUMENTS[kind](text)
 
 
 def unpack_history(data: bytes) -> tuple[int, PutInHistory]:
@@ -303,6 +178,8 @@ def command_of(message: dict[str, Any]) -> Command:
 
 
 def _fitting(command: str, key: str, value: Any, hint: Any) -> Any:
+    if get_origin(hint) is tuple:
+        return _texts(command, key, value)
     wanted = get_args(hint) or (hint,)
     if float in wanted and isinstance(value, int) and not isinstance(value, bool):
         value = float(value) if abs(value) < 2**53 else float("inf")
@@ -310,6 +187,14 @@ def _fitting(command: str, key: str, value: Any, hint: Any) -> Any:
         said = " or ".join(_SAID[w] for w in wanted)
         raise SpecError(f"{key!r} of the command {command!r} is {_shown(value)}; it must be {said}.")
     return value
+
+
+def _texts(command: str, key: str, value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
+        raise SpecError(f"{key!r} of the command {command!r} is {_shown(value)}; it must be a list of texts.")
+    if len(value) > MOST_TEXTS:
+        raise SpecError(f"{key!r} of the command {command!r} has {len(value)} texts; it can have {MOST_TEXTS}.")
+    return tuple(value)
 
 
 def _shown(value: Any) -> str:

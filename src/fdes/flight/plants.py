@@ -32,8 +32,9 @@ def plant_of(
     equations = condition.equations(named)
     if integrator == EXACT:
         method = exact_hold(equations, ref, step)
-    elif integrator in shelf("integrators").names():
-        method = shelf("integrators").get(integrator)
     else:
-        raise NoSuchPart("integrator", integrator, integrator_names())
+        try:
+            method = shelf("integrators").get(integrator)
+        except NoSuchPart:
+            raise NoSuchPart("integrator", integrator, integrator_names()) from None
     return SmallPerturbation(ref, equations, condition.trim_throttle, condition.limits, method)

@@ -1,0 +1,47 @@
+"""Questions that anybody in a session may ask: they change nothing."""
+
+from typing import Any, cast
+
+from fdes.analysis import linear_model
+from fdes.analysis.airspeeds import airspeeds
+from fdes.cockpit import commands
+from fdes.cockpit.craft import Craft
+from fdes.cockpit.excite import preview
+from fdes.control import LinearModel
+from fdes.physics.derivatives import Form, dimensional
+from fdes.physics.signals import channels
+
+Question = commands.Ping | commands.Preview | commands.Calculate | commands.Airspeeds
+
+
+def answer(question: Question, shown: Craft) -> dict[str, Any]:
+    """What is replied to a question about the craft that is `shown`. Raises FdesError where it cannot be answered."""
+    match question:
+        case commands.Preview(text):
+            return preview(text)
+        case commands.Calculate():
+            return calculated(shown)
+        case commands.Airspeeds(kind, value, h):
+            return airspeeds(kind, value, h)._asdict()
+        case commands.Ping():
+            return {}
+
+
+def calculated(craft: Craft) -> dict[str, Any]:
+    """Dimensional derivatives, None where the source gives no others, and A and B: as they fly, SI."""
+    condition, form = craft.condition, cast("Form", craft.form)
+    model = linear_model(condition, form)
+    named = dimensional(condition.coefficients, condition.reference, form) if condition.nondimensional else None
+    return {
+        "dimensional": named
+        and [
+            {"name": c.name, "value": value, "unit": c.unit}
+            for c, value in zip(channels(type(named)), named, strict=True)
+        ],
+        "longitudinal": _matrices(model.longitudinal()),
+        "lateral": _matrices(model.lateral()),
+    }
+
+
+def _matrices(part: LinearModel) -> dict[str, Any]:
+    return {"states": list(part.states), "inputs": list(part.inputs), "A": part.A.tolist(), "B": part.B.tolist()}
