@@ -5,21 +5,26 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from fdes.cli.law import show_law
 from fdes.cli.options import (
     FLAG,
     Changes,
     ConditionName,
     FormName,
     IntegratorName,
+    LawText,
+    OnActuators,
     PlotFile,
     VariantName,
     chosen,
+    designed_law,
+    form_of_equations,
 )
-from fdes.cli.output import note, number, screen, table
+from fdes.cli.output import note, number, screen, table, working
 from fdes.cli.scenario import fly_and_write
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
@@ -68,6 +73,8 @@ def simulate(
             "--limits", metavar=FLAG, help="Stop the surfaces at their assumed limits; else they go as far as asked."
         ),
     ] = False,
+    law: LawText = None,
+    actuators: OnActuators = False,
     height: Annotated[
         str | None, typer.Option(metavar="TEXT", help="At the start, such as '1500 ft'; else the condition's.")
     ] = None,
@@ -99,7 +106,7 @@ def simulate(
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     if scenario is not None:
-        if any((aircraft, condition, changes, inputs, initial, height, plot)):
+        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot)):
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
@@ -109,15 +116,19 @@ def simulate(
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
     ready = chosen(aircraft, condition, variant, changes)
+    clock = _clock(dt, substeps, duration)
+    closed = {} if law is None else _law(law, ready, form, dt, quiet=out == STDOUT)
     response = fly_it(
         ready,
         inputs or (),
-        clock=_clock(dt, substeps, duration),
+        clock=clock,
         form=form,
         integrator=integrator,
         initial=initial or (),
         height=None if height is None else parse(height, "m"),
         limits=limits,
+        actuators=actuators,
+        **closed,
     )
     if out == STDOUT:
         response.to_csv(sys.stdout, units)
@@ -131,19 +142,22 @@ def simulate(
     if picture is not None:
         from fdes.analysis.plots import responses
 
-        save_plot(
-            responses(
-                response,
-                f"{ready.aircraft_name}, {ready.condition}: {'; '.join((*(inputs or ()), *(initial or ())))}",
-                units,
-            ),
-            picture,
-        )
+        title = f"{ready.aircraft_name}, {ready.condition}: {'; '.join((*(inputs or ()), *(initial or ())))}"
+        with working("Drawing"):
+            save_plot(responses(response, title, units), picture)
         if out != STDOUT:
             screen().print(f"{plot} is written.", soft_wrap=True)
     _note_step(ready, form, integrator, dt / substeps)
     _note_limits(response, ready, limits)
     _note_excursion(response)
+
+
+def _law(text: str, ready: "FlightCondition", form: str, dt: float, *, quiet: bool) -> dict[str, Any]:
+    """The law as `fdes.simulate` takes it, shown unless the flight itself goes to stdout."""
+    designed = designed_law(text, ready, form_of_equations(form), frame=dt)
+    if not quiet:
+        show_law(designed)
+    return {"law": designed.law, "said": designed.text}
 
 
 def _clock(dt: float, substeps: int, duration: float) -> "Clock":
@@ -230,7 +244,6 @@ def _note_step(ready: "FlightCondition", form: str, integrator: str, step: float
     """Say when the integrator makes a stable mode grow."""
     from fdes.analysis import modes
     from fdes.analysis.step_limit import step_limit
-    from fdes.cli.options import form_of_equations
     from fdes.flight import plant_of
 
     found = step_limit(plant_of(ready, form, integrator, step).integrator, modes(ready, form_of_equations(form)))
