@@ -51,7 +51,7 @@ def test_page(
                 run(command, shown, fdes_command, serve)
         elif block.language == "pycon":
             follow(block.text, names, page.name)
-        elif block.language == "python":
+        elif block.language == "python" and not block.title:
             exec(block.text, {})
         else:
             save(block)
