@@ -153,6 +153,16 @@ def test_the_text_of_a_design_says_it_again(a4d: FlightCondition, text: str) -> 
     assert law_for(designed.text, a4d).law == designed.law
 
 
+@pytest.mark.parametrize("text", ["yaw_damper", "pitch_rate_pi", "roll_angle", "yaw_damper zeta=0.3; roll_angle"])
+def test_gains_by_hand_show_the_mode_that_the_design_moved(a4d: FlightCondition, text: str) -> None:
+    designed = law_for(text, a4d)
+    again = law_for(designed.text, a4d)
+    for one, other in zip(designed.achieved, again.achieved, strict=True):
+        assert (other.designed, other.continuous, other.flown) == pytest.approx(
+            (one.designed, one.continuous, one.flown), rel=1e-6
+        )
+
+
 def test_several_loops_are_closed_one_after_the_other(a4d: FlightCondition) -> None:
     designed = law_for("yaw_damper zeta=0.4; roll_rate_damper time_constant=0.3; pitch_rate_damper zeta=0.6", a4d)
     yaw, roll, pitch = designed.achieved

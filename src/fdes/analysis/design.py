@@ -16,7 +16,7 @@ from fdes.analysis.closed_loop import close
 from fdes.analysis.designed import Achieved, Designed
 from fdes.analysis.linearize import linear_model
 from fdes.analysis.modes import modes
-from fdes.analysis.placement import Quantity, measure, nearest_root, one_gain, stable, two_gains
+from fdes.analysis.placement import Quantity, followed_root, measure, nearest_root, one_gain, stable, two_gains
 from fdes.control import Law, LinearModel
 from fdes.control.laws.direct import Direct
 from fdes.control.spoken import WISHES, Loop, loops, units_of
@@ -152,7 +152,7 @@ def _close_loop(loop: Loop, inner: Law, condition: FlightCondition, form: Form, 
     without = closed(**zero)
     begin = _root_of(without, rule.mode)
     if by_hand:
-        s = nearest_root(closed(), begin)
+        s = followed_root(without, closed(), begin)
         quantity = rule.wishes[0]
         shown = _achieved(loop, rule, quantity, None, begin, s, reached=True)
         return _Closed(made(), _all_settings(loop, settings, {}), shown, s, [])

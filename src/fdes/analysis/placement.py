@@ -20,6 +20,7 @@ Quantity = Literal["zeta", "omega", "time_constant"]
 REACH = np.concatenate([[0.0], np.geomspace(1e-3, 1e2, 600)])  # of the gain that moves the root by its own size
 SLOWEST = 0.1  # rad/s: a root slower than this is taken to be this far from the origin
 HALVINGS = 60
+STEPS = 200  # of the way from no loop to one
 MARGIN = 0.5  # of the gain at which some root begins to grow: 6 dB
 GROWING = 1e-6  # rad/s: less is rounding
 
@@ -42,6 +43,13 @@ def nearest_root(model: LinearModel, s: complex) -> complex:
     """The root of `model` that is nearest to `s`."""
     roots = continuous_roots(model.A, model.dt)
     return complex(roots[np.argmin(np.abs(roots - s))])
+
+
+def followed_root(without: LinearModel, closed: LinearModel, root: complex) -> complex:
+    """What becomes of a root of the loop with gains of zero when they grow together to those of `closed`."""
+    share = np.linspace(0.0, 1.0, STEPS)[:, None, None]
+    roots = continuous_roots(without.A + share * (closed.A - without.A), without.dt)
+    return complex(_followed(roots, root)[-1])
 
 
 @dataclass(frozen=True)
