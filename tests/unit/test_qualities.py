@@ -16,6 +16,7 @@ from fdes.aircraft.role import STRICTEST, Role, role_of
 from fdes.analysis import linear_model, modes
 from fdes.analysis.closed_loop import close, with_actuators
 from fdes.analysis.design import law_for
+from fdes.analysis.drawing import to_plotly
 from fdes.analysis.improvement import Adjustable, adjustables, gains, improvements, unreachable
 from fdes.analysis.measured import Measured, measure, n_alpha, phi_beta
 from fdes.analysis.qualities import assess, charts, judge
@@ -346,11 +347,14 @@ def assess_numbers(measured: Measured, role: Role) -> Any:
 def test_charts_become_drawings() -> None:
     drawing = as_drawing(charts(measure(linear_model(A4D)), IV_A), "A-4D")
     assert [panel.title.splitlines()[0] for panel in drawing.panels] == [
-        "Short-period frequency, Category A",
-        "Short-period damping and CAP, Category A",
-        "Dutch roll, Category A, Class IV",
+        "Short-period frequency",
+        "Short-period damping and CAP",
+        "Dutch roll",
     ]
     assert drawing.panels[0].x_log
+    figure = to_plotly(drawing)
+    (note, *_) = (a for a in figure.layout.annotations if a.text == "Level 1")
+    assert (10.0**note.x, 10.0**note.y) == pytest.approx(charts(measure(linear_model(A4D)), IV_A)[0].point)
     with pytest.raises(SpecError, match="has a chart"):
         as_drawing([], "nothing")
 

@@ -27,6 +27,7 @@ Line = Literal["solid", "dash", "dot", "dashdot", "none"]
 LINES: tuple[Line, ...] = ("solid", "dash", "dot", "dashdot")
 FORMATS = (".png", ".svg", ".html")
 DOTS = 150  # per inch, of a PNG
+TITLE_SIZE = 11  # pixels, of a panel on a page
 PIXELS = 96  # per inch, of a page
 
 
@@ -159,7 +160,7 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
     n = len(drawing.panels)
     rows, columns = (n, 1) if drawing.stacked else (1, n)
     gap = 0.35 / drawing.height if drawing.stacked else 0.09
-    titles = [panel.title for panel in drawing.panels]
+    titles = [panel.title.replace("\n", "<br>") for panel in drawing.panels]
     plot = make_subplots(
         rows,
         columns,
@@ -168,6 +169,7 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
         horizontal_spacing=gap if columns > 1 else 0.0,
         subplot_titles=titles if any(titles) else None,
     )
+    plot.update_annotations(font_size=TITLE_SIZE)
     height = int(drawing.height * PIXELS)
     for k, panel in enumerate(drawing.panels):
         row, column = (k + 1, 1) if drawing.stacked else (1, k + 1)
@@ -191,8 +193,8 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
             )
         for note in panel.notes:
             plot.add_annotation(
-                x=note.x,
-                y=note.y,
+                x=log10(note.x) if panel.x_log else note.x,
+                y=log10(note.y) if panel.y_log else note.y,
                 text=note.words,
                 showarrow=False,
                 xanchor=note.anchor,

@@ -90,7 +90,7 @@ def _panel(chart: Chart, *, legend: bool) -> Panel:
         notes=(Note(*chart.point, level_name(chart.level), dx=8.0, dy=8.0),) if chart.point else (),
         x_range=(chart.x.low, chart.x.high),
         y_range=(chart.y.low, chart.y.high),
-        title=f"{chart.title}\n{chart.reference}",
+        title=f"{chart.title.partition(',')[0]}\n{chart.reference}",
         x_log=chart.x.log,
         y_log=chart.y.log,
     )
