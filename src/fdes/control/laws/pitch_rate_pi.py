@@ -25,7 +25,8 @@ class PitchRatePi:
     """elevator = (gain + integral_gain / s) (q - q wanted). Positive gains damp, and hold the rate that is wanted.
 
     The stick commands a pitch rate, `full_rate` at full aft stick, and no elevator of its own; centered, it holds the
-    attitude. The integral stops while the elevator is at `lower` or `upper`. It starts with the elevator where it is.
+    attitude. The integral stops while the elevator is at `lower` or `upper`. It starts with the elevator where it is,
+    where no law inside moves that too.
     """
 
     inner: Law
