@@ -5,6 +5,7 @@ FdesError
 ├── NoSuchPart          a name that no shelf knows: shelf, name, nearest name
 ├── SpecError           an impossible or unreadable request (a unit, an input, a step size), and why
 ├── RecordingError      a file that is not a recording, or one of a version this FDES cannot read
+├── TrimError           a steady flight that an aircraft cannot fly: what falls short, and the best point found
 └── Departed            a flight that left what its plant can describe: which state, when
 
 The command line prints the text of an FdesError and exits with status 2.
@@ -28,6 +29,14 @@ class SpecError(FdesError):
 
 class RecordingError(FdesError):
     """A file that cannot be read as a recording."""
+
+
+class TrimError(FdesError):
+    """A steady flight that an aircraft cannot fly. best: the point nearest to it; nearest: a speed that it can."""
+
+    def __init__(self, text: str, best: object, nearest: float | None) -> None:
+        self.best, self.nearest = best, nearest
+        super().__init__(text)
 
 
 class Departed(FdesError):

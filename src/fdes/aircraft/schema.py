@@ -233,6 +233,7 @@ class AircraftFile(Part):
     name: str = Field(min_length=1)
     summary: str
     aliases: tuple[str, ...] = Field(default=(), strict=False)
+    engine: Literal["jet", "propeller"] = "jet"
     aileron_sense: Literal["positive rolls right", "positive rolls left"] = "positive rolls right"
     notes: tuple[str, ...] = Field(default=(), strict=False)
     sources: dict[str, str]

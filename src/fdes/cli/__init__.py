@@ -23,6 +23,7 @@ from fdes.cli.qualities import qualities
 from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_file
 from fdes.cli.shelves import shelves
 from fdes.cli.simulate import simulate
+from fdes.cli.trim import trim
 from fdes.cli.verify import app as verify
 from fdes.cli.whatif import whatif
 from fdes.errors import FdesError
@@ -69,6 +70,7 @@ app.command(
     epilog='Example: fdes simulate A-4D --input "step aileron 15deg at 0s" --duration 6 --out run.csv',
 )(simulate)
 app.command(epilog='Example: fdes whatif flight.fdes --try "Cm_q*=0.5" --plot whatif.html')(whatif)
+app.command(epilog="Example: fdes trim NAVION 'V=90 kt h=5000 ft turn=3 deg/s'")(trim)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)
 app.command(epilog="Example: fdes shelves --json")(shelves)

@@ -9,9 +9,9 @@ Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simul
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from fdes.elementary import atan2, cos, largest, sin, sqrt
+from fdes.elementary import atan2, cos, largest, sin, sqrt, where
 from fdes.errors import Departed
-from fdes.physics.aero import Flow
+from fdes.physics.aero import SLOWEST, AirLoads, Flow
 from fdes.physics.airdata import calibrated_airspeed, equivalent_airspeed, impact_pressure
 from fdes.physics.atmosphere import BOTTOM, TOP, Atmosphere, standard_atmosphere
 from fdes.physics.attitude import (
@@ -27,12 +27,13 @@ from fdes.physics.attitude import (
     turned_back,
 )
 from fdes.physics.earth import Earth, Place, gravitation, local_quaternion, place, position
-from fdes.physics.rigid_body import Inertia, Loads, acceleration, angular_acceleration
+from fdes.physics.propulsion import Engine, thrust
+from fdes.physics.rigid_body import Inertia, Loads, acceleration, angular_acceleration, cross
 from fdes.physics.runge_kutta import Tableau, Vector, step
 from fdes.physics.signals import Air, Outputs, Surfaces
-from fdes.physics.small_perturbation import Limits, limited
+from fdes.physics.small_perturbation import Limits
 from fdes.physics.wind import Wind, wind_at
-from fdes.units import G0, Kelvin, Meter, MeterPerSecond, Number, RadianPerSecond
+from fdes.units import G0, Kelvin, Kilogram, Meter, MeterPerSecond, Number, RadianPerSecond
 
 MARGIN: Meter = 100.0  # to the ends of the atmosphere: no step goes as far
 
@@ -66,11 +67,12 @@ class SixDof(NamedTuple):
 
     inertia: Inertia
     aero: Any
-    aerodynamics: Callable[[Any, Flow, Surfaces], Loads]
+    aerodynamics: Callable[[Any, Flow, Surfaces], AirLoads]
     earth: Earth
     initial: State
     limits: Limits
     integrator: Tableau
+    engine: Engine = Engine()
     rest: Surfaces = Surfaces()
     wind: Wind = Wind()
     warmer: Kelvin = 0.0
@@ -121,15 +123,20 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
     Omega = turned_back(R, 0.0, 0.0, earth.Omega)
     over_earth = x.p - Omega[0], x.q - Omega[1], x.r - Omega[2]
     flow = _flow(plant, x, R, here, day, over_earth, air)
-    loads = plant.aerodynamics(plant.aero, flow, surfaces(plant, held))
+    feel = surfaces(plant, held)
+    aero = plant.aerodynamics(plant.aero, flow, feel)
+    push = thrust(plant.engine, flow, feel.throttle)
     gx, gy, gz = gravitation(earth, x.x, x.y, x.z)
     spin = earth.Omega * earth.Omega
     pull = turned_back(R, gx + spin * x.x, gy + spin * x.y, gz)  # with the centrifugal part
-    specific = loads.X / body.m, loads.Y / body.m, loads.Z / body.m
     turning = x.p + Omega[0], x.q + Omega[1], x.r + Omega[2]
+    steady = Loads(aero.X + push.X, aero.Y, aero.Z + push.Z, aero.L, aero.M, aero.N)
+    moved = acceleration(steady, body.m, pull, x.u, x.v, x.w, turning)
+    loads = _with_alpha_dot(steady, aero, body.m, flow, moved, over_earth, x, air)
+    moved = acceleration(loads, body.m, pull, x.u, x.v, x.w, turning)
     rate = State(
         *turned(R, x.u, x.v, x.w),
-        *acceleration(specific, pull, x.u, x.v, x.w, turning),
+        *moved,
         *quaternion_rate(x.e0, x.e1, x.e2, x.e3, *over_earth),
         *angular_acceleration(body, x.p, x.q, x.r, loads.L, loads.M, loads.N),
     )
@@ -147,13 +154,43 @@ def _flow(plant: SixDof, x: State, R: Rotation, here: Place, day: Atmosphere, ra
     return Flow(V, u, v, w, alpha, beta, *rates, day.rho, V / day.a, 0.5 * day.rho * V * V)
 
 
+def _with_alpha_dot(
+    steady: Loads, aero: AirLoads, m: Kilogram, flow: Flow, moved: Three, rates: Three, x: State, air: Air
+) -> Loads:
+    """The loads with those of alpha_dot, solved for: no value of the last frame is used.
+
+    alpha_dot = e (d/dt of the velocity in the air) / V_xz, e being downward across the flow in the plane of symmetry;
+    the lift of alpha_dot acts against e. `moved` is the acceleration without it.
+    """
+    if not (aero.lift_alphadot or aero.M_alphadot):
+        return steady
+    level = sqrt(flow.u * flow.u + flow.w * flow.w)
+    level = where(level.real > SLOWEST, level, SLOWEST)
+    sa, ca = flow.w / level, flow.u / level
+    # In body axes, steady wind turns against the body.
+    wu, wv, ww = x.u - flow.u - air.gust_u, x.v - flow.v - air.gust_v, x.w - flow.w - air.gust_w
+    turn_u, _, turn_w = cross(*rates, wu, wv, ww)
+    across = ca * (moved[2] + turn_w) - sa * (moved[0] + turn_u)
+    alpha_dot = across / (level + aero.lift_alphadot / m)
+    lift = aero.lift_alphadot * alpha_dot
+    return steady._replace(X=steady.X + lift * sa, Z=steady.Z - lift * ca, M=steady.M + aero.M_alphadot * alpha_dot)
+
+
 def surfaces(plant: SixDof, held: Surfaces) -> Surfaces:
     """The surfaces themselves: from their rest, as far as their stops."""
-    rest = plant.rest
-    return limited(
-        Surfaces(rest.elevator + held.elevator, rest.aileron + held.aileron, rest.rudder + held.rudder, held.throttle),
-        plant.limits,
+    rest, (low, high) = plant.rest, plant.limits
+    return Surfaces(
+        within(rest.elevator + held.elevator, low.elevator, high.elevator),
+        within(rest.aileron + held.aileron, low.aileron, high.aileron),
+        within(rest.rudder + held.rudder, low.rudder, high.rudder),
+        within(held.throttle, low.throttle, high.throttle),
     )
+
+
+def within(value: float, low: float, high: float) -> float:
+    """`value`, or the limit that it is beyond; a complex one by its real part."""
+    found: float = where(value.real < low, low, where(value.real > high, high, value))
+    return found
 
 
 def advance(plant: SixDof, x: State, command: Surfaces, air: Air, dt: float, substeps: int) -> State:
@@ -240,7 +277,7 @@ def from_start(plant: SixDof, x: State) -> tuple[Meter, Meter]:
 
 def state_at(
     earth: Earth,
-    where: Three,
+    at: Three,
     velocity: Three,
     attitude: Three,
     rates: Three = (0.0, 0.0, 0.0),
@@ -254,10 +291,10 @@ def state_at(
     """
     e = quaternion(*attitude)
     if earth.g:
-        x = (where[0], where[1], -where[2])
+        x = (at[0], at[1], -at[2])
     else:
-        x = position(earth, *where)
-        e = product(local_quaternion(where[0], where[1]), e)
+        x = position(earth, *at)
+        e = product(local_quaternion(at[0], at[1]), e)
     R = rotation(*e)
     local = place(earth, *x).local
     Omega = (0.0, 0.0, 0.0) if inertial else turned_back(R, 0.0, 0.0, earth.Omega)

@@ -76,12 +76,12 @@ def angular_acceleration(
 
 
 def acceleration(
-    specific: Three, pull: Three, u: MeterPerSecond, v: MeterPerSecond, w: MeterPerSecond, turning: Three
+    loads: Loads, m: Kilogram, pull: Three, u: MeterPerSecond, v: MeterPerSecond, w: MeterPerSecond, turning: Three
 ) -> tuple[MeterPerSecond2, MeterPerSecond2, MeterPerSecond2]:
-    """u_dot, v_dot, w_dot over the Earth: specific force and gravity, less what the turning of the axes takes.
+    """u_dot, v_dot, w_dot over the Earth: forces by the mass and gravity, less what the turning of the axes takes.
 
     `pull` is gravity with the centrifugal part, `turning` the rates in inertial space plus those of the Earth, all in
     body axes.
     """
     cx, cy, cz = cross(*turning, u, v, w)
-    return specific[0] + pull[0] - cx, specific[1] + pull[1] - cy, specific[2] + pull[2] - cz
+    return loads.X / m + pull[0] - cx, loads.Y / m + pull[1] - cy, loads.Z / m + pull[2] - cz

@@ -1,0 +1,55 @@
+"""Propulsion: thrust from throttle, airspeed and density.
+
+Sources of stability derivatives say nothing of the engine, so its numbers are assumed: `assumed_engine` says how.
+"""
+
+from typing import NamedTuple
+
+from fdes.elementary import cos, pow, sin, where
+from fdes.physics.aero import Flow
+from fdes.units import KilogramPerMeter3, MeterPerSecond, Newton, Number, Radian
+
+JET_LAPSE = 0.7  # of thrust with density, a common assumption below the tropopause; assumed
+PROPELLER_LAPSE = 1.0  # of power with density, of an engine without a supercharger; assumed
+SLOW = 0.5  # of the reference speed: below it, a propeller's thrust no longer grows as 1/V; assumed
+
+
+class Engine(NamedTuple):
+    """Thrust T_max at full throttle and reference speed and density, and how it changes with either.
+
+    tilt: of the thrust line, nose up from the body's x axis.
+    """
+
+    T_max: Newton = 0.0
+    V_ref: MeterPerSecond = 1.0
+    rho_ref: KilogramPerMeter3 = 1.0
+    with_speed: Number = 0.0
+    with_density: Number = 0.0
+    tilt: Radian = 0.0
+
+
+class Thrust(NamedTuple):
+    """Its components in body axes; its line passes through the center of gravity."""
+
+    X: Newton
+    Z: Newton
+
+
+def thrust(engine: Engine, flow: Flow, throttle: Number) -> Thrust:
+    """The thrust of this instant: T_max throttle (V / V_ref)^n (rho / rho_ref)^m."""
+    T = engine.T_max * throttle
+    if engine.with_speed:
+        ratio = flow.V / engine.V_ref
+        T *= pow(where(ratio.real > SLOW, ratio, SLOW), engine.with_speed)
+    if engine.with_density:
+        T *= pow(flow.rho / engine.rho_ref, engine.with_density)
+    return Thrust(T * cos(engine.tilt), -T * sin(engine.tilt))
+
+
+def assumed_engine(
+    T_max: Newton, V: MeterPerSecond, rho: KilogramPerMeter3, tilt: Radian, *, propeller: bool
+) -> Engine:
+    """A jet, whose thrust does not know its speed, or a propeller at constant power; T_max is that at V and rho."""
+    if propeller:
+        return Engine(T_max, V, rho, -1.0, PROPELLER_LAPSE, tilt)
+    return Engine(T_max, V, rho, 0.0, JET_LAPSE, tilt)
