@@ -8,6 +8,7 @@ import pytest
 from fdes.aircraft import load
 from fdes.control import Stick
 from fdes.control.laws.direct import Direct
+from fdes.control.laws.pitch_rate_damper import PitchRateDamper
 from fdes.control.laws.yaw_damper import YawDamper
 from fdes.errors import Departed, SpecError
 from fdes.flight import Clock, Edit, Excitation, Frame, HandsOff, SameStick, Setup, SteadyAir, fly, plant_of
@@ -115,7 +116,7 @@ def test_a_bad_time_step_is_refused(dt: float) -> None:
         Clock(dt)
 
 
-def test_a_law_that_stays_remembers_through_an_edit_of_the_aircraft() -> None:
+def test_a_law_of_the_same_kind_remembers_through_an_edit() -> None:
     plant, direct = setup()
     damper = YawDamper(direct, 0.5)
 
@@ -127,4 +128,5 @@ def test_a_law_that_stays_remembers_through_an_edit_of_the_aircraft() -> None:
 
     same = Edit(plant=setup(form="nelson").plant, law=YawDamper(direct, 0.5))
     assert washout_after(same) == washout_after(None) != 0.0
-    assert washout_after(Edit(law=YawDamper(direct, 0.6))) != washout_after(None)
+    assert washout_after(Edit(law=YawDamper(direct, 0.6))) == washout_after(None)
+    assert washout_after(Edit(law=YawDamper(PitchRateDamper(direct, 0.1), 0.5))) != washout_after(None)

@@ -19,7 +19,12 @@ def command(**said: Any) -> str:
 
 def test_channels_are_the_outputs_and_then_the_stick() -> None:
     names = [c.name for c in wire.CHANNELS]
-    assert names == [*Outputs._fields, "stick_pitch", "stick_roll", "stick_yaw", "stick_throttle"]
+    assert names[: len(Outputs._fields)] == list(Outputs._fields)
+    assert names[len(Outputs._fields) :] == [
+        *("stick_pitch", "stick_roll", "stick_yaw", "stick_throttle"),
+        *("excitation_elevator", "excitation_aileron", "excitation_rudder", "excitation_throttle"),
+        *("command_elevator", "command_aileron", "command_rudder", "command_throttle"),
+    ]
     assert wire.CHANNELS[names.index("phi")].unit == "rad"
 
 

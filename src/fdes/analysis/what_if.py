@@ -13,7 +13,7 @@ from fdes.aircraft import FlightCondition, edited, load, parse
 from fdes.analysis.design import law_for
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup, plant_of
-from fdes.flight.actuated import WithActuators, actuators_of
+from fdes.flight.actuated import with_actuators
 from fdes.flight.reflight import Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
 from fdes.shelf import shelf
@@ -139,4 +139,4 @@ def setup_of(header: Mapping[str, Any]) -> Setup:
     step = header["dt"] / header.get("substeps", 1)
     law = law_for(header.get("law", "direct"), condition, header["form"], frame=header["dt"]).law
     plant = plant_of(flown, header["form"], header["integrator"], step)
-    return Setup(WithActuators(plant, actuators_of(condition)) if header.get("actuators") else plant, law)
+    return Setup(with_actuators(plant, condition) if header.get("actuators") else plant, law)

@@ -4,6 +4,8 @@ from typing import Any, cast
 
 from fdes.analysis import linear_model
 from fdes.analysis.airspeeds import airspeeds
+from fdes.analysis.improvement import adjustables, improvements, unreachable
+from fdes.analysis.qualities import assess
 from fdes.cockpit import commands
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import preview
@@ -11,7 +13,7 @@ from fdes.control import LinearModel
 from fdes.physics.derivatives import Form, dimensional
 from fdes.physics.signals import channels
 
-Question = commands.Ping | commands.Preview | commands.Calculate | commands.Airspeeds
+Question = commands.Ping | commands.Preview | commands.Improve | commands.Calculate | commands.Airspeeds
 
 
 def answer(question: Question, shown: Craft) -> dict[str, Any]:
@@ -19,12 +21,27 @@ def answer(question: Question, shown: Craft) -> dict[str, Any]:
     match question:
         case commands.Preview(text):
             return preview(text)
+        case commands.Improve(criterion):
+            return improved(shown, criterion)
         case commands.Calculate():
             return calculated(shown)
         case commands.Airspeeds(kind, value, h):
             return airspeeds(kind, value, h)._asdict()
         case commands.Ping():
             return {}
+
+
+def improved(craft: Craft, criterion: str) -> dict[str, Any]:
+    """The changes that reach the next Level by a criterion, or why there are none. Raises NoSuchPart."""
+    form = cast("Form", craft.form)
+    (verdict,) = assess(craft.condition, craft.role, form=form, criteria=[criterion])
+    candidates = adjustables(craft.condition, verdict.mode, lambda changed: linear_model(changed, form))
+    found = improvements(verdict, candidates, craft.role)
+    best = verdict.reason if verdict.level is None else "Level 1 is the best: nothing needs to change."
+    return {
+        "improvements": [each.as_dict() for each in found],
+        "reason": "" if found else unreachable(verdict, candidates) or best,
+    }
 
 
 def calculated(craft: Craft) -> dict[str, Any]:

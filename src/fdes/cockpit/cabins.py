@@ -10,7 +10,7 @@ from typing import Any
 from fdes import __version__
 from fdes.cockpit import commands, wire
 from fdes.cockpit.answers import Question, answer
-from fdes.cockpit.craft import Craft, make_craft
+from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import excite
 from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.history import History
@@ -125,7 +125,7 @@ class Cabins:
     async def obey(self, cabin: Cabin, viewer: Viewer, command: commands.Command) -> dict[str, Any]:
         """Carry out a command; what the reply says besides "ok". Raises FdesError when it cannot be."""
         if isinstance(command, Question):
-            return answer(command, cabin.session.shown)
+            return await asyncio.to_thread(answer, command, cabin.session.shown)
         if viewer is not cabin.pilot:
             raise SpecError(_observing(cabin, "gives the commands"))
         session = cabin.session
@@ -136,7 +136,14 @@ class Cabins:
             case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft():
                 session.change(await asyncio.to_thread(self._craft, session.flown, command))
                 cabin.past = History()
-            case commands.Edit() | commands.Undo() | commands.Redo() | commands.Judge():
+            case (
+                commands.Edit()
+                | commands.Undo()
+                | commands.Redo()
+                | commands.Judge()
+                | commands.Engage()
+                | commands.UseActuators()
+            ):
                 await self._edit(cabin, command)
             case commands.PutIn() | commands.PutInHistory() | commands.Hold():
                 if excite(session, command):
@@ -150,11 +157,11 @@ class Cabins:
         return {}
 
     async def _edit(self, cabin: Cabin, command: Editing) -> None:
-        """Change the aircraft in flight, and tell at once. The work is done in a thread: it never costs a tick."""
+        """Change what flies, and tell at once. The work is done in a thread: it never costs a tick."""
         flown, past = cabin.session.flown, cabin.past
-        changes, role = wanted(command, flown, past)
-        craft = await asyncio.to_thread(ready, flown, changes, role)
-        cabin.session.edit(craft)
+        asked = wanted(command, flown, past)
+        if cabin.session.edit(await asyncio.to_thread(ready, flown, asked)):
+            self._later(cabin.session.start_recording)
         match command:
             case commands.Edit(dragging=dragging):
                 past.note(flown.changes, dragging=dragging)
@@ -176,7 +183,7 @@ class Cabins:
     ) -> Craft:
         match asked:
             case commands.Equations(form, integrator, step):
-                return make_craft(flown.base, form, integrator, step, flown.changes, flown.role)
+                return flown.but(form=form, integrator=integrator, step=step)
             case commands.OpenAircraft(text):
                 return self.fleet.opened(text, flown)
             case commands.ChooseAircraft(aircraft, condition, variant):
@@ -261,7 +268,7 @@ class Cabins:
         messages, before, now = [], cabin.told, cabin.session.shown
         if now is not before:
             cabin.told = now
-            messages = [{"type": "aircraft", **now.briefing}, {"type": "modes", "modes": now.modes}]
+            messages = [{"type": "aircraft", **now.briefing}, now.modes_message]
             messages += laboratory(now, cabin.past, whole=now.base is not before.base)
         for message in (*messages, self.status(cabin)):
             for viewer in cabin.viewers:
@@ -280,7 +287,7 @@ class Cabins:
             "rate": RATE,
             "frame_rate": RATE // EVERY_MOVING,
             "aircraft": shown.briefing,
-            "modes": {"type": "modes", "modes": shown.modes},
+            "modes": shown.modes_message,
             "status": self.status(cabin),
         }
 

@@ -149,6 +149,13 @@ class Judge:
 
 
 @dataclass(frozen=True)
+class Improve:
+    """Which number to change, and to what, so that a criterion of flying qualities gives the next Level."""
+
+    criterion: str
+
+
+@dataclass(frozen=True)
 class Calculate:
     """The dimensional derivatives and the matrices of what is flown, as numbers."""
 
@@ -167,6 +174,24 @@ class OpenAircraft:
     """Fly the aircraft of this file, which is TOML. It comes as a binary message."""
 
     text: str
+
+
+@dataclass(frozen=True)
+class Engage:
+    """Fly on with this law, such as ``yaw_damper zeta=0.4; pitch_rate_damper gain=0.2``; ``direct`` is none.
+
+    It is designed now, for what flies now; with `sampled` in z, at the step of the flight, else in s.
+    """
+
+    text: str
+    sampled: bool = False
+
+
+@dataclass(frozen=True)
+class UseActuators:
+    """Fly on with actuators before the surfaces, or without."""
+
+    on: bool
 
 
 Command = (
@@ -191,9 +216,12 @@ Command = (
     | Undo
     | Redo
     | Judge
+    | Improve
     | Calculate
     | Airspeeds
     | OpenAircraft
+    | Engage
+    | UseActuators
 )
 
 COMMANDS: dict[str, type[Command]] = {
@@ -217,6 +245,9 @@ COMMANDS: dict[str, type[Command]] = {
     "undo": Undo,
     "redo": Redo,
     "judge": Judge,
+    "improve": Improve,
     "calculate": Calculate,
     "airspeeds": Airspeeds,
+    "law": Engage,
+    "actuators": UseActuators,
 }

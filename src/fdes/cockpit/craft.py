@@ -14,10 +14,11 @@ from fdes.analysis.approximations import mode_report
 from fdes.analysis.measured import measure
 from fdes.analysis.qualities import charts, judge
 from fdes.analysis.step_limit import step_limit
+from fdes.cockpit.flight_control import Control, Fitted, control_message, fitted
 from fdes.cockpit.hub import RATE
-from fdes.control.laws.direct import Direct
 from fdes.errors import SpecError
 from fdes.flight import Clock, Setup, plant_of
+from fdes.flight.actuated import with_actuators
 from fdes.flight.header import header_of
 from fdes.units import FOOT
 
@@ -35,7 +36,7 @@ class Craft:
     """An aircraft in a flight condition, its equations chosen, ready to fly.
 
     `base` is the aircraft as its file has it, `condition` the same with the changes made to it in flight. `role` is by
-    what its flying qualities are judged, and `law` the text of its control law.
+    what its flying qualities are judged, and `fit` its control law and actuators.
     `briefing` is the part of the wire's AIRCRAFT that it answers for, `modes` the mode dictionaries of the same plant.
     """
 
@@ -50,15 +51,19 @@ class Craft:
     briefing: dict[str, Any]
     modes: list[dict[str, Any]]
     natural: list[Mode]
-    law: str = "direct"
+    bare: list[Mode]
+    fit: Fitted
 
     def header(self) -> dict[str, Any]:
         """What a recording of it says first: enough to make the same craft again."""
-        return header_of(self.condition, self.form, self.integrator, self.clock, self.law)
+        control = self.fit.control
+        return header_of(
+            self.condition, self.form, self.integrator, self.clock, control.law, actuators=control.actuators
+        )
 
     def setup_note(self) -> dict[str, Any]:
         """What a recording says where, in flight, it becomes this craft: its part of the header that edits change."""
-        return {"changes": [str(change) for change in self.condition.changes], "law": self.law}
+        return {"changes": [str(change) for change in self.condition.changes], "law": self.fit.control.law}
 
     @property
     def changes(self) -> tuple[str, ...]:
@@ -66,13 +71,35 @@ class Craft:
         return tuple(str(change) for change in self.condition.changes[len(self.base.changes) :])
 
     def edited(self, changes: Iterable[str], role: Role | None = None) -> "Craft":
-        """The same with these changes to `base` instead of its own. Raises NoSuchPart, SpecError."""
-        return make_craft(self.base, self.form, self.integrator, self.clock.dt, changes, role or self.role)
+        """The same with these changes to `base` instead of its own; gains stay. Raises NoSuchPart, SpecError."""
+        return self.but(changes=changes, role=role or self.role)
+
+    def but(
+        self,
+        *,
+        form: str | None = None,
+        integrator: str | None = None,
+        step: float | None = None,
+        changes: Iterable[str] | None = None,
+        role: Role | None = None,
+        control: Control | None = None,
+    ) -> "Craft":
+        """The same aircraft with what is given instead of its own. Raises NoSuchPart, SpecError."""
+        return make_craft(
+            self.base,
+            form or self.form,
+            integrator or self.integrator,
+            step or self.clock.dt,
+            self.changes if changes is None else changes,
+            role or self.role,
+            control or self.fit.control,
+        )
 
     @cached_property
     def knobs(self) -> list[dict[str, Any]]:
         """All that can be changed of `base`: see `fdes.aircraft.knobs`."""
-        return [vars(knob) for knob in knobs(self.base)]
+        shifts = self.base.cg is None
+        return [vars(knob) | {"shifts": shifts and knob.name == "cg"} for knob in knobs(self.base)]
 
     @cached_property
     def stability(self) -> dict[str, Any]:
@@ -80,11 +107,22 @@ class Craft:
         names = editable(self.condition)
         return {"changes": list(self.changes), "values": {name: value_of(self.condition, name) for name in names}}
 
+    @property
+    def modes_message(self) -> dict[str, Any]:
+        """The wire's MODES: those of the whole, and the eigenvalues without law and actuators where there are any."""
+        bare = [] if self.fit.bare else [[m.eigenvalue.real, m.eigenvalue.imag] for m in self.bare]
+        return {"type": "modes", "modes": self.modes, "bare": bare}
+
+    @property
+    def control(self) -> dict[str, Any]:
+        """The wire's CONTROL: its law and its actuators."""
+        return control_message(self.fit, self.condition)
+
     @cached_property
     def qualities(self) -> dict[str, Any]:
         """The verdicts on its flying qualities, with their charts, and by which Class and Category."""
-        wanted = cast("Form", self.form)
-        measured = measure(linear_model(self.condition, wanted), None, self.natural)
+        airframe = linear_model(self.condition, cast("Form", self.form))
+        measured = measure(self.fit.model, None, self.natural, airframe)
         return {
             "role": {**vars(self.role), "says": str(self.role)},
             "verdicts": [verdict.as_dict() for verdict in judge(measured, self.role)],
@@ -99,11 +137,12 @@ def make_craft(
     step: float = DT,
     changes: Iterable[str] = (),
     role: Role | None = None,
+    control: Control = Control(),  # noqa: B008  it cannot be changed
 ) -> Craft:
     """Make `base` with `changes` ready to fly, one integrator step of `step` [s] a frame.
 
     Raises NoSuchPart for a form or an integrator that does not exist, SpecError for a step the cockpit cannot show,
-    and both for changes that cannot be made.
+    and both for changes that cannot be made and for a law that cannot be.
     """
     if not DT - 1e-9 <= step <= LONGEST_STEP:
         raise SpecError(
@@ -111,23 +150,28 @@ def make_craft(
         )
     condition = edited(base, changes)
     plant = plant_of(condition, form, integrator, step)
-    start = plant.start(max(condition.reference.h, START_HEIGHT))
     wanted = cast("Form", form)  # plant_of has checked it
-    natural = modes(condition, wanted)
-    told = mode_report(condition, wanted, natural)
+    bare = modes(condition, wanted)
+    told = mode_report(condition, wanted, bare)
+    fit = fitted(control, condition, wanted, step)
+    natural = bare if fit.bare else modes(fit.model)
+    flown = with_actuators(plant, condition) if control.actuators else plant
+    start = flown.start(max(condition.reference.h, START_HEIGHT))
     return Craft(
         base=base,
         condition=condition,
         role=role or role_of(base.document, base.condition),
         form=form,
         integrator=integrator,
-        setup=Setup(plant, Direct(condition.full_stick)),
+        setup=Setup(flown, fit.designed.law),
         start=start,
         clock=Clock(step),
         briefing=_briefing(condition, form, integrator, step, start.h)
-        | {"step_limit": _limit(plant, natural), "static": told["static"]},
-        modes=told["modes"],
+        | {"step_limit": _limit(plant, natural if control.actuators else bare), "static": told["static"]},
+        modes=told["modes"] if fit.bare else [mode.as_dict() | {"approximation": None} for mode in natural],
         natural=natural,
+        bare=bare,
+        fit=fit,
     )
 
 

@@ -10,6 +10,7 @@ from typing import Any
 from fdes.aircraft import Aircraft, catalogue, parse
 from fdes.aircraft.load import aircraft_of
 from fdes.cockpit.craft import Craft, make_craft
+from fdes.cockpit.flight_control import NONE, Control
 from fdes.errors import FdesError, NoSuchPart
 
 
@@ -56,7 +57,9 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     """
     try:
         flown = parse(header["document"], name).at(header["condition"], header["variant"])
-        return make_craft(flown, header["form"], header["integrator"], header["dt"], header.get("changes", ()))
+        control = Control(header.get("law", NONE), header.get("actuators", False))
+        changes = header.get("changes", ())
+        return make_craft(flown, header["form"], header["integrator"], header["dt"], changes, control=control)
     except (FdesError, KeyError, TypeError):
         return None
 

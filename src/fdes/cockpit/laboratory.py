@@ -1,47 +1,63 @@
-"""Variable stability in the cockpit: what an edit asks for, and what those who watch are told of it."""
+"""The laboratory in the cockpit: what edits of aircraft and law ask for, and what those who watch are told of them."""
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from fdes.aircraft.role import Role, role_of
 from fdes.cockpit import commands
 from fdes.cockpit.craft import Craft
+from fdes.cockpit.flight_control import Control, laws_message
 from fdes.cockpit.history import History
 from fdes.errors import SpecError
 
-Editing = commands.Edit | commands.Undo | commands.Redo | commands.Judge
+Editing = commands.Edit | commands.Undo | commands.Redo | commands.Judge | commands.Engage | commands.UseActuators
 
 
-def wanted(command: Editing, flown: Craft, past: History) -> tuple[tuple[str, ...], Role]:
-    """The changes and the role that a command asks for. Raises SpecError where there is nothing to undo or redo."""
+class Wanted(NamedTuple):
+    """What a command leaves of a craft, and what it changes."""
+
+    changes: tuple[str, ...]
+    role: Role
+    control: Control
+
+
+def wanted(command: Editing, flown: Craft, past: History) -> Wanted:
+    """What a command asks for. Raises SpecError where there is nothing to undo or redo."""
+    now = Wanted(flown.changes, flown.role, flown.fit.control)
     match command:
         case commands.Edit(changes):
-            return changes, flown.role
+            return now._replace(changes=changes)
         case commands.Undo():
             if (before := past.before()) is None:
                 raise SpecError("There is no edit to undo.")
-            return before, flown.role
+            return now._replace(changes=before)
         case commands.Redo():
             if (after := past.after()) is None:
                 raise SpecError("There is no undone edit to make again.")
-            return after, flown.role
+            return now._replace(changes=after)
         case commands.Judge(airplane_class, category, phase):
             own = role_of(flown.base.document, flown.base.condition)
-            return flown.changes, own.but(airplane_class, category, phase)
+            return now._replace(role=own.but(airplane_class, category, phase))
+        case commands.Engage(text, sampled):
+            return now._replace(control=now.control.asked(text, sampled=sampled))
+        case commands.UseActuators(on):
+            return now._replace(control=replace(now.control, actuators=on))
 
 
-def ready(flown: Craft, changes: tuple[str, ...], role: Role) -> Craft:
+def ready(flown: Craft, asked: Wanted) -> Craft:
     """The craft with all that is told of it, so that telling costs nothing more. Raises NoSuchPart, SpecError."""
-    craft = replace(flown, role=role) if changes == flown.changes else flown.edited(changes, role)
+    same = (asked.changes, asked.control) == (flown.changes, flown.fit.control)
+    craft = replace(flown, role=asked.role) if same else flown.but(**asked._asdict())
     laboratory(craft, History())
     return craft
 
 
 def laboratory(craft: Craft, past: History, *, whole: bool = True) -> list[dict[str, Any]]:
-    """The wire's KNOBS (for a `whole` new aircraft), STABILITY and QUALITIES."""
+    """The wire's KNOBS and LAWS (for a `whole` new aircraft), STABILITY, CONTROL and QUALITIES."""
     undo, redo = past.depth
     return [
-        *([{"type": "knobs", "knobs": craft.knobs}] if whole else []),
+        *([{"type": "knobs", "knobs": craft.knobs}, laws_message()] if whole else []),
         {"type": "stability", **craft.stability, "undo": undo, "redo": redo},
+        craft.control,
         {"type": "qualities", **craft.qualities},
     ]

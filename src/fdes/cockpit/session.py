@@ -180,13 +180,22 @@ class Session:
             self._replay = None
             self._show = self.changed = True
 
-    def edit(self, craft: Craft) -> None:
-        """Fly on as `craft`, the same aircraft with other changes, from the next frame on. Raises SpecError."""
+    def edit(self, craft: Craft) -> bool:
+        """Fly on as `craft`, the same aircraft with other changes or another law, from the next frame on.
+
+        True when another recording should begin: with actuators switched there are other columns to record.
+        Raises SpecError.
+        """
         with self._lock:
             if self._replay is not None:
                 raise SpecError("A recording is being replayed: end the replay before you edit the aircraft.")
+            other = type(craft.start) is not type(self._sortie.craft.start)
+            again = other and self._sortie.recorder is not None
+            if again:
+                self._sortie.release("actuators switched")
             self._sortie.craft = craft
             self._show = self.changed = True
+            return again
 
     def play(self, replay: Replay, craft: Craft | None = None) -> None:
         """Show a recording, of `craft` where that is known, and keep the flight frozen meanwhile."""
@@ -303,7 +312,8 @@ class Session:
     def _pack(self, late: bool) -> bytes:
         sortie, replay = self._sortie, self._replay
         frame = sortie.frame
-        t, values = (frame.t, (*frame.outputs, *frame.stick)) if replay is None else (replay.t, replay.frame())
+        flown = (*frame.outputs, *frame.stick, *frame.excitation, *frame.command)
+        t, values = (frame.t, flown) if replay is None else (replay.t, replay.frame())
         flags = (
             wire.FROZEN * self._frozen()
             | wire.RECORDING * (sortie.recorder is not None)

@@ -12,10 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from fdes.cockpit.craft import Craft
+from fdes.cockpit.handover import NOTHING, OVER, handover
 from fdes.cockpit.wire import Input
 from fdes.control import Stick
 from fdes.errors import Departed, FdesError, SpecError
 from fdes.flight import Edit, Excitation, Frame, GustyAir, Recorder, fly
+from fdes.flight.actuated import fitted
 from fdes.flight.excitation import NO_GUSTS, Gusts
 from fdes.flight.inputs.step import Step
 from fdes.flight.recorder import SUFFIX
@@ -51,6 +53,7 @@ class Sortie:
         self._edits: list[Edit] = []  # to be made, one a frame
         self._inputs = self._everything = Excitation(())  # the test inputs; with what is held by hand
         self.held: dict[str, float] = {}
+        self._fading = OVER
         self._frames = fly(
             craft.start,
             craft.setup,
@@ -97,6 +100,7 @@ class Sortie:
         """Be back in undisturbed flight with the next frame, the controls as they were at the start."""
         self.given = self.given._replace(stick=self._rest)
         self.clear_inputs()
+        self._fading = OVER
         self._edits = [Edit(state=self.craft.start, note={"reset": True})]
         if self.frozen:
             self.advance()
@@ -155,7 +159,9 @@ class Sortie:
         return given.stick
 
     def _put_in(self, t: float) -> Surfaces:
-        return self._everything(t) if self._everything.parts else NO_EXCITATION
+        added = self._everything(t) if self._everything.parts else NO_EXCITATION
+        fading = self._fading(t)
+        return added if fading is NOTHING else Surfaces(*map(float.__add__, added, fading))
 
     def _gusts(self, t: float) -> Gusts:
         return self._everything.gusts(t) if self._everything.parts else NO_GUSTS
@@ -173,6 +179,10 @@ class Sortie:
         height goes along, for the air at it is what the equations are made of.
         """
         climb = self.craft.start.h - self._aloft.start.h
+        before, after = self._aloft.setup.law, self.craft.setup.law
+        if edit.state is None and after != before:
+            fading = self._fading(self.frame.t)
+            self._fading = handover(self.frame, before, after, fading, self.craft.clock.dt)
         self._aloft, self.announced = self.craft, True
         note = {**edit.note, **self.craft.setup_note()}
         said = note.get("disturb")
@@ -180,8 +190,12 @@ class Sortie:
             said = f"h={climb!r}m" if said is None else f"h={climb!r}m, {said}"
             note["disturb"] = said
         plant, law = self.craft.setup
-        disturb = None if said is None else (lambda x: disturbed(x, [said]))
-        return edit._replace(plant=plant, law=law, disturb=disturb, note=note)
+        surfaces = self.frame.command
+
+        def refit(x: Any) -> Any:
+            return disturbed(fitted(x, plant, surfaces), [] if said is None else [said])
+
+        return edit._replace(plant=plant, law=law, disturb=refit, note=note)
 
     def _record(self, frame: Frame) -> None:
         recorder = self.recorder

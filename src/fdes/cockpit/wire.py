@@ -32,10 +32,15 @@ from fdes.cockpit.commands import COMMANDS, Command, OpenAircraft, PutInHistory
 from fdes.control import Stick
 from fdes.errors import SpecError, nearest
 from fdes.flight.excitation import UNITS
-from fdes.physics.signals import Outputs, channels
+from fdes.physics.signals import Outputs, Surfaces, channels
 
 VERSION = 1
-CHANNELS = (*channels(Outputs), *channels(Stick, "stick_"))
+CHANNELS = (
+    *channels(Outputs),
+    *channels(Stick, "stick_"),
+    *channels(Surfaces, "excitation_"),
+    *channels(Surfaces, "command_"),
+)
 
 INPUT_CHANNELS = tuple(UNITS)  # what inputs move: surfaces, then gusts
 

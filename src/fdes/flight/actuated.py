@@ -17,6 +17,10 @@ from fdes.physics.small_perturbation import ExactHold, Limits, limited
 from fdes.units import to_si
 
 MOVED = len(Deflections._fields)
+EXACT_STANDS_STILL = (
+    "The exact hold needs surfaces that stand still from frame to frame, and actuators move them. "
+    "Take another integrator with actuators, such as rk4."
+)
 
 
 class Integrated(Plant, Protocol):
@@ -44,10 +48,17 @@ def actuators_of(condition: FlightCondition, damping: float = 0.0) -> Actuators:
     return Actuators(one, one, one)
 
 
+def with_actuators(plant: Integrated, condition: FlightCondition) -> "WithActuators":
+    """`plant` with the actuators that are assumed of `condition`. Raises SpecError for the exact hold."""
+    if isinstance(plant.integrator, ExactHold):
+        raise SpecError(EXACT_STANDS_STILL)
+    return WithActuators(plant, actuators_of(condition))
+
+
 class WithActuators(NamedTuple):
     """`plant` with `actuators` before its surfaces. Its state is the plant's, then the deflections.
 
-    Raises SpecError from `with_actuators` for the exact hold: it needs surfaces that stand still through a step.
+    `with_actuators` makes one. The exact hold cannot advance it: it needs surfaces that stand still through a step.
     """
 
     plant: Integrated
@@ -82,10 +93,7 @@ class WithActuators(NamedTuple):
         """The state one frame later: `substeps` steps of the plant's integrator, command and air held."""
         method = self.plant.integrator
         if isinstance(method, ExactHold):
-            raise SpecError(
-                "The exact hold needs surfaces that stand still from frame to frame, and actuators move them. "
-                "Take another integrator with actuators, such as rk4."
-            )
+            raise SpecError(EXACT_STANDS_STILL)
         stops, state = limited(command, self.plant.limits), type(x)
 
         def f(y: Vector) -> Vector:
@@ -100,6 +108,16 @@ class WithActuators(NamedTuple):
 
     def _plants(self, x: Any) -> Any:
         return plant_type(type(x))(*x[:-MOVED])
+
+
+def fitted(x: Any, plant: Plant, surfaces: Surfaces) -> Any:
+    """The state `x` as `plant` has it, where actuators were put before the surfaces, or taken away.
+
+    New actuators begin at rest with the `surfaces` where they are.
+    """
+    if isinstance(plant, WithActuators):
+        return x if type(x) in _PLANT else plant.beginning(x, surfaces)
+    return plant_type(type(x))(*x[:-MOVED]) if type(x) in _PLANT else x
 
 
 _PLANT: dict[type, type] = {}  # of each state with actuators, the state without; filled by `state_type` alone

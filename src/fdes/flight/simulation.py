@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol
 
 from fdes.control import Law, Stick
+from fdes.control.law import alike
 from fdes.errors import Departed, SpecError
 from fdes.physics.signals import Air, Outputs, Surfaces
 
@@ -153,9 +154,9 @@ def fly(
     """Fly from state `x`, one frame at a time, for as long as the clock runs.
 
     `excitation` is added to the law's command, as a test input is. `edits` may change plant, law or state at a frame
-    boundary; a law that stays keeps what it remembers, unless the flight begins anew. A flight begins with the surfaces
-    at trim and the law without a bump; or, to be flown again from its middle, with those that were `held` in the frame
-    `after` and the memory that the law had there.
+    boundary; a law of the same kind goes on with what the one before it remembered, unless the flight begins anew. A
+    flight begins with the surfaces at trim and the law without a bump; or, to be flown again from its middle, with
+    those that were `held` in the frame `after` and the memory that the law had there.
     Raises Departed when the state leaves what numbers can hold.
     """
     plant, law = setup
@@ -174,7 +175,7 @@ def fly(
             if edit.disturb is not None:
                 x = edit.disturb(x)
             y = plant.observe(x, held, air)
-            if edit.state is not None or law != before:
+            if edit.state is not None or not alike(law, before):
                 memory = law.start(y, stick)
         commanded, remembered = law.step(y, stick, memory, clock.dt)
         added = excitation(t)
