@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 TESTS = Path(__file__).parent
-KINDS = {"unit", "published", "properties", "shelves", "words", "cockpit", "examples"}
+KINDS = {"unit", "published", "properties", "shelves", "compiled", "words", "cockpit", "examples"}
 
 # The call is put together here so that a search for skipped tests finds none in this file.
 SMALL_SESSION = f"""

@@ -22,7 +22,8 @@ def test_a_mode_shows_what_applies_to_it() -> None:
 def test_a_recording_shows_what_moved_and_how_far() -> None:
     flight = fdes.simulate(NAVION, initial=["beta=5deg"], clock=Clock(0.01, duration=1.0))
     shown = flight._repr_html_()
-    assert "Flight: 101 rows, 0 to 1 s; " in shown
+    assert "NAVION M0.158_SL: 101 rows, 0 to 1 s; " in shown
+    assert repr(flight) == "<Recording NAVION M0.158_SL: 101 rows, 0 to 1 s>"
     assert "<td>beta</td><td>rad</td>" in shown
     assert "<td>elevator</td>" not in shown
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Recording:
     """A flight as it was: `data` is (frames, columns) in SI; `complete` is False when its end is missing."""
 
@@ -36,11 +36,17 @@ class Recording:
         """One column by name."""
         return self.data[:, [c.name for c in self.columns].index(name)]
 
-    def _repr_html_(self) -> str:
-        """What was flown, and how far each signal went, as a table for notebooks."""
+    def __repr__(self) -> str:
+        return f"<Recording {self._caption()}>"
+
+    def _caption(self) -> str:
         title = " ".join(str(self.header[key]) for key in ("aircraft", "condition", "started") if key in self.header)
         t = self.data[:, 0]
-        length = f"{len(t)} rows, {t[0]:g} to {t[-1]:g} s" if len(t) else "no rows"
+        return f"{title or 'Flight'}: " + (f"{len(t)} rows, {t[0]:g} to {t[-1]:g} s" if len(t) else "no rows")
+
+    def _repr_html_(self) -> str:
+        """What was flown, and how far each signal went, as a table for notebooks."""
+        t = self.data[:, 0]
         head = "<tr><th>column</th><th>unit</th><th>least</th><th>greatest</th><th>what</th></tr>"
         moved = [
             (c, v.min(), v.max()) for c, v in zip(self.columns, self.data.T, strict=True) if len(v) and np.ptp(v) > 0.0
@@ -50,7 +56,7 @@ class Recording:
             for c, low, high in moved
         )
         still = f"{len(self.columns) - len(moved)} columns that did not change are not shown"
-        caption = escape(f"{title or 'Flight'}: {length}; {still}" + ("" if self.complete else "; its end is missing"))
+        caption = escape(f"{self._caption()}; {still}" + ("" if self.complete else "; its end is missing"))
         return f"<table><caption>{caption}</caption>{head}{rows}</table>"
 
     def to_dataset(self) -> "xarray.Dataset":
