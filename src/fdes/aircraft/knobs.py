@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from fdes.aircraft.edit import FIGURES, editable, unit_of, value_of
 from fdes.aircraft.expectations import RANGES
 from fdes.aircraft.flight_condition import FlightCondition
+from fdes.aircraft.number import Confidence
 from fdes.units import DEG
 
 FORCES = {
@@ -68,7 +69,8 @@ class Knob:
     """One number that can be changed. `value` is the unchanged aircraft's, in `unit`; so are `low` and `high`.
 
     group: ``longitudinal``, ``lateral`` or ``mass, size and condition``. printed: as in the source, in its unit and
-    with its sign; None where the source has no such number. assumed: whether no source gives it.
+    with its sign; None where the source has no such number. confidence: that it prints just this.
+    assumed: whether no source gives it.
     """
 
     name: str
@@ -79,6 +81,7 @@ class Knob:
     low: float
     high: float
     printed: str | None
+    confidence: Confidence | None
     assumed: bool
 
 
@@ -101,6 +104,7 @@ def _knob(condition: FlightCondition, name: str) -> Knob:
         low=low,
         high=high,
         printed=printed,
+        confidence=None if given is None else given.confidence,
         assumed=name == "T_max",
     )
 

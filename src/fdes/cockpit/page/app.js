@@ -7,6 +7,7 @@ import { byId } from "./dom.js";
 import { fillHelp } from "./help.js";
 import { InputsPanel } from "./inputs.js";
 import { InstrumentPanel, SIX } from "./instrument_panel.js";
+import { Levels } from "./levels.js";
 import { listenToKeys } from "./keys.js";
 import { FLAG, Link } from "./link.js";
 import { ModesPanel } from "./modes.js";
@@ -48,8 +49,17 @@ const inputs = new InputsPanel(byId("panel-inputs"), command, link);
 const replayBar = new ReplayBar(byId("replay"), command);
 const picker = new AircraftPicker(byId("picker"), fly);
 const chooser = new SignalChooser(byId("chooser"), chart);
-const tabs = new Tabs(byId("tabs"), (tab) => tab === "recordings" && recordings.refresh());
+let laboratory = null; // what few open on their first visit is fetched when it is opened
+const tabs = new Tabs(byId("tabs"), (tab) => {
+  if (tab === "recordings") recordings.refresh();
+  if (tab === "stability") laboratory ??= openLaboratory();
+});
 fillHelp(byId("help"));
+
+async function openLaboratory() {
+  const { VariableStability } = await import("./variable_stability.js");
+  return new VariableStability(byId("panel-stability"), link);
+}
 
 /** The session of this window, kept over a reload. */
 function sessionName() {
@@ -156,6 +166,8 @@ link.on("aircraft", (aircraft) => {
   drawSheet(byId("panel-aircraft"), aircraft);
 });
 link.on("modes", (message) => modes.show(message.modes));
+link.on("knobs", () => modes.clearTrail()); // another aircraft
+new Levels(byId("levels"), link);
 let recorded = null;
 link.on("status", (status) => {
   topBar.showStatus(status);

@@ -25,6 +25,11 @@ function furnish(element, attributes, children) {
   return element;
 }
 
+/** Brings in a style sheet that only some parts of the page need. */
+export function fetchStyle(url) {
+  document.head.append(html("link", { rel: "stylesheet", href: url }));
+}
+
 /** The data that `url` gives as JSON. Fails with a sentence that says what could not be had. */
 export async function fetchJson(url) {
   const response = await fetch(url);

@@ -13,6 +13,7 @@ const COLUMNS = [
   ["T, s", "Period: time of one oscillation"],
   ["Cycles", "Periods until half the amplitude is left; ×2: until it has doubled"],
 ];
+const LONGEST_TRAIL = 1200; // modes as they were: some 240 edits
 const AIRLESS = "Dimensional derivatives: no static margin, n/α, roll rate.";
 
 export class ModesPanel {
@@ -27,6 +28,9 @@ export class ModesPanel {
     table.addEventListener("focusin", ({ target }) => this.highlight(target.closest("tr")?.dataset.mode));
     table.addEventListener("focusout", () => this.highlight(null));
     this.static = null;
+    this.trail = [];
+    this.clear = html("button", { type: "button", class: "quiet clear-trail", hidden: true, title: "Clear the trail of the poles", "aria-label": "Clear the trail of the poles", onclick: () => this.clearTrail() }, "✕");
+    document.querySelector(".levels-line").append(this.clear);
   }
 
   /** Static margin and its relatives: numbers in SI, or null where the aircraft has none. */
@@ -40,7 +44,15 @@ export class ModesPanel {
     this.figures.textContent = mode ? approximation(mode) : staticFigures(this.static);
   }
 
+  /** Forgets where the poles have been: with another aircraft, or when asked. */
+  clearTrail() {
+    this.trail = [];
+    this.clear.hidden = true;
+    this.drawPlane();
+  }
+
   show(modes) {
+    this.leaveTrail(modes);
     this.modes = modes;
     this.drawPlane();
     const head = html(
@@ -59,9 +71,17 @@ export class ModesPanel {
     );
   }
 
+  /** Keeps the present modes as a trail when `next` have other roots. */
+  leaveTrail(next) {
+    const roots = (modes) => JSON.stringify(modes.map(({ eigenvalue }) => eigenvalue));
+    if (!this.modes.length || roots(this.modes) === roots(next)) return;
+    this.trail = [...this.trail, ...this.modes].slice(-LONGEST_TRAIL);
+    this.clear.hidden = false;
+  }
+
   drawPlane() {
     const { width, height } = this.plane.parentElement.getBoundingClientRect();
-    if (width > 0) drawSPlane(this.plane, this.modes, width, height);
+    if (width > 0) drawSPlane(this.plane, this.modes, width, height, this.trail);
   }
 
   highlight(name) {

@@ -10,8 +10,11 @@ const SLOW = 0.12; // share of the fastest mode's frequency below which a mode g
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
-/** Fills the SVG element `plane`, `width` by `height` px, with `modes` as the server describes them. */
-export function drawSPlane(plane, modes, width, height) {
+/**
+ * Fills the SVG element `plane`, `width` by `height` px, with `modes` as the server describes them; `trail` are modes as
+ * they were before.
+ */
+export function drawSPlane(plane, modes, width, height, trail = []) {
   plane.setAttribute("viewBox", `0 0 ${width} ${height}`);
   plane.replaceChildren();
   if (!modes.length || width < 60) return;
@@ -20,19 +23,21 @@ export function drawSPlane(plane, modes, width, height) {
   const magnified = slow.length > 0 && slow.length < modes.length;
   const share = magnified ? 0.6 : 1;
   const fast = magnified ? modes.filter((mode) => !slow.includes(mode)) : modes;
-  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s" });
+  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s", trail });
   if (magnified) {
-    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height };
+    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height, trail };
     drawPane(plane, slow, slow, { ...pane, title: "near the origin" });
   }
 }
 
-function drawPane(plane, named, all, { x, width, height, title }) {
-  const reals = named.map(({ eigenvalue }) => eigenvalue[0]);
-  const widest = Math.max(...named.map(({ omega_n }) => omega_n));
+function drawPane(plane, named, all, { x, width, height, title, trail }) {
+  const names = new Set(named.map(({ name }) => name));
+  const seen = [...named, ...trail.filter(({ name }) => names.has(name))]; // a trail stays in sight
+  const reals = seen.map(({ eigenvalue }) => eigenvalue[0]);
+  const widest = Math.max(...seen.map(({ omega_n }) => omega_n));
   const left = Math.min(...reals, -0.25 * widest) * 1.25;
   const right = Math.max(Math.max(...reals) * 1.4, -0.28 * left);
-  const top = Math.max(...named.map(({ eigenvalue }) => eigenvalue[1]), 0.6 * widest) * 1.18;
+  const top = Math.max(...seen.map(({ eigenvalue }) => eigenvalue[1]), 0.6 * widest) * 1.18;
   const area = { left: x + PAD.left, right: x + width - PAD.right, top: PAD.top, bottom: height - PAD.bottom };
   const sx = (area.right - area.left) / (right - left);
   const sy = (area.bottom - area.top) / (2 * top);
@@ -58,6 +63,7 @@ function drawPane(plane, named, all, { x, width, height, title }) {
   grid.append(svg("path", { class: "s-axis", d: `M${x} ${at.y(0)}H${x + width}M${at.x(0)} 0V${height}` }));
 
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
+  plane.append(drawTrail(trail, at, clipId));
   const words = [[x, x + title.length * 5.6, height - 14, height]]; // not to be covered: left, right, top, bottom
   for (let im = step; im < top; im += step) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
@@ -72,6 +78,18 @@ function drawPane(plane, named, all, { x, width, height, title }) {
   plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, title));
   if (x === 0) plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
   placeLabels(plane, named, at, { x, width, height }, words);
+}
+
+/** Where the roots have been: one path of dots for each axis of motion. */
+function drawTrail(trail, at, clipId) {
+  const group = svg("g", { class: "s-trails", "clip-path": `url(#${clipId})` });
+  for (const axis of ["longitudinal", "lateral"]) {
+    const dots = trail
+      .filter((mode) => mode.axis === axis)
+      .flatMap(({ eigenvalue: [re, im] }) => (im ? [1, -1] : [1]).map((side) => `M${at.x(re).toFixed(1)} ${at.y(side * im).toFixed(1)}h.01`));
+    if (dots.length) group.append(svg("path", { class: `s-trail s-${axis}`, d: dots.join("") }));
+  }
+  return group;
 }
 
 /** Crosses, and names beside those of the upper half, where they touch neither a cross nor another name. */

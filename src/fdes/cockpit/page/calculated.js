@@ -1,0 +1,108 @@
+/** What is calculated of the numbers: dimensional derivatives, A and B as they fly; and airspeeds in all their forms. */
+
+import { html } from "./dom.js";
+import { choice, number, row } from "./fields.js";
+import { FOOT, KNOT, figure } from "./units.js";
+
+const KINDS = [
+  ["mach", "Mach"],
+  ["tas", "TAS, kt"],
+  ["eas", "EAS, kt"],
+  ["cas", "CAS (IAS), kt"],
+];
+
+export class CalculatedPage {
+  constructor(panel, link) {
+    this.link = link;
+    this.shown = false;
+    this.asking = false;
+    this.numbers = html("div", {});
+    this.kind = choice("From", KINDS, "mach");
+    this.value = number("Value", 0.8);
+    this.height = number("Altitude, ft", 35000, 100);
+    this.speeds = html("p", { class: "number speeds", role: "status" });
+    for (const field of [this.kind.select, this.value.input, this.height.input])
+      field.addEventListener("input", () => this.convert());
+    panel.replaceChildren(
+      html("h3", {}, "Airspeeds in the standard atmosphere"),
+      html("div", { class: "form-row" }, this.kind.label, this.value.label, this.height.label),
+      this.speeds,
+      this.numbers,
+    );
+  }
+
+  watch(shown) {
+    this.shown = shown;
+    if (!shown) return;
+    this.stale();
+    this.convert();
+  }
+
+  /** The aircraft has changed: ask again, if anybody looks. */
+  async stale() {
+    this.again = true;
+    if (!this.shown || this.asking) return;
+    this.asking = true;
+    try {
+      while (this.again) {
+        this.again = false;
+        this.draw(await this.link.command("calculate"));
+      }
+    } catch (error) {
+      this.numbers.replaceChildren(html("p", { class: "problem" }, error.message));
+    }
+    this.asking = false;
+  }
+
+  draw({ dimensional, longitudinal, lateral }) {
+    const derivatives = dimensional
+      ? html(
+          "dl",
+          { class: "dimensional number" },
+          dimensional.flatMap(({ name, value, unit }) => [html("dt", {}, name), html("dd", {}, figure(value, 4), html("small", {}, unit))]),
+        )
+      : html("p", { class: "quiet-words" }, "The source gives dimensional derivatives: they are on the sliders.");
+    this.numbers.replaceChildren(
+      html("h3", {}, "Dimensional derivatives, SI and radians"),
+      derivatives,
+      matrices("Longitudinal: A | B", longitudinal),
+      matrices("Lateral: A | B", lateral),
+    );
+  }
+
+  async convert() {
+    const kind = this.kind.select.value;
+    const value = Number(this.value.input.value) * (kind === "mach" ? 1 : KNOT);
+    try {
+      const { mach, tas, eas, cas } = await this.link.command("airspeeds", {
+        kind,
+        value,
+        h: Number(this.height.input.value) * FOOT,
+      });
+      this.speeds.textContent = `Mach ${figure(mach, 4)} · TAS ${figure(tas / KNOT, 4)} · EAS ${figure(eas / KNOT, 4)} · CAS ${figure(cas / KNOT, 4)} kt`;
+    } catch (error) {
+      this.speeds.textContent = error.message;
+    }
+  }
+}
+
+function matrices(title, { states, inputs, A, B }) {
+  const head = [...states, ...inputs];
+  return html(
+    "div",
+    { class: "matrix", tabindex: 0, role: "region", "aria-label": title },
+    html(
+      "table",
+      { class: "number" },
+      html("caption", {}, title),
+      html("thead", {}, html("tr", {}, html("td", {}), head.map((name) => html("th", { scope: "col" }, name)))),
+      html(
+        "tbody",
+        {},
+        states.map((name, i) =>
+          html("tr", {}, html("th", { scope: "row" }, `d${name}/dt`), [...A[i], ...B[i]].map((x) => html("td", {}, figure(x, 4)))),
+        ),
+      ),
+    ),
+  );
+}
