@@ -11,35 +11,62 @@ import numpy as np
 from fdes.analysis.linearize import INPUTS, STATES
 from fdes.analysis.trim import CALM, FREE, TINY, TrimPoint
 from fdes.control import LinearModel
-from fdes.elementary import cos, sin
+from fdes.elementary import cos, sin, tan
+from fdes.errors import SpecError
 from fdes.physics.attitude import product, quaternion
 from fdes.physics.plant import SixDof, State, instant
 from fdes.physics.propulsion import thrust
-from fdes.physics.signals import Surfaces, channels
+from fdes.physics.signals import Outputs, Surfaces, channels
 from fdes.physics.small_perturbation import PerturbationState
+
+OUTPUTS = (
+    *("V", "mach", "cas", "alpha", "beta", "gamma", "phi", "theta", "p", "q", "r"),
+    *("p_dot", "q_dot", "r_dot", "n_x", "n_y", "n_z", "h_dot"),
+)
 
 
 def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
-    """A (8, 8) and B (8, 4) about a trimmed flight that does not turn; surfaces in rad, throttle from 0 to 1."""
+    """A (8, 8), B (8, 4), C (18, 8) and D (18, 4) about a trimmed flight; surfaces in rad, throttle from 0 to 1.
+
+    Outputs are those of `Outputs` with their names, rates and load factors along body axes. Raises SpecError where the
+    flight turns or sideslips, for then longitudinal and lateral motion are one.
+    """
+    if point.spec.turn or point.spec.beta:
+        raise SpecError("Only straight flight without sideslip is linearized: leave turn and beta out of the trim.")
     plant = point.plant._replace(limits=FREE)
     if thrust_held:
         engine = plant.engine._replace(with_speed=0.0, with_density=0.0)
         now = _thrust_ratio(plant, point)
         plant = plant._replace(engine=engine._replace(T_max=engine.T_max * now))
-    columns = []
-    for k in range(len(STATES) + len(INPUTS)):
-        z = [complex(0.0, TINY if i == k else 0.0) for i in range(len(STATES) + len(INPUTS))]
-        columns.append([v.imag / TINY for v in _rates(plant, point, z)])
+    size, columns = len(STATES), []
+    for k in range(size + len(INPUTS)):
+        z = [complex(0.0, TINY if i == k else 0.0) for i in range(size + len(INPUTS))]
+        columns.append([v.imag / TINY for v in _rates_and_outputs(plant, point, z)])
     J = np.array(columns).T
-    unit = {c.name: c.unit for c in (*channels(PerturbationState), *channels(Surfaces))}
+    unit = {c.name: c.unit for c in (*channels(PerturbationState), *channels(Surfaces), *channels(Outputs))}
     return LinearModel(
-        A=J[:, : len(STATES)],
-        B=J[:, len(STATES) :],
+        A=J[:size, :size],
+        B=J[:size, size:],
+        C=J[size:, :size],
+        D=J[size:, size:],
         states=STATES,
         inputs=INPUTS,
-        units={name: unit[name] for name in (*STATES, *INPUTS)},
+        outputs=OUTPUTS,
+        units={name: unit[name] for name in (*STATES, *INPUTS, *OUTPUTS)},
         point={**point.spec._asdict(), "alpha": point.alpha, "theta": point.theta, **point.surfaces._asdict()},
     )
+
+
+def perturbed(point: TrimPoint, by: PerturbationState) -> State:
+    """The trimmed flight with that added to it, along its stability axes; places in meters north, east, up."""
+    V, alpha, gamma = point.spec.V, point.alpha, point.spec.gamma
+    ca, sa = cos(alpha), sin(alpha)
+    level = V + by.u
+    zero = 0.0 * level
+    attitude = product(quaternion(by.phi, gamma + by.theta, by.psi), quaternion(zero, zero + alpha, zero))
+    place = [by.north, by.east, zero - point.spec.h - by.h]
+    motion = [level * ca - by.w * sa, V * by.beta, level * sa + by.w * ca]
+    return State._make([*place, *motion, *attitude, by.p * ca - by.r * sa, by.q, by.p * sa + by.r * ca])
 
 
 def _thrust_ratio(plant: SixDof, point: TrimPoint) -> float:
@@ -49,19 +76,17 @@ def _thrust_ratio(plant: SixDof, point: TrimPoint) -> float:
     return now.X / full.X if full.X else 1.0
 
 
-def _rates(plant: SixDof, point: TrimPoint, z: list[complex]) -> list[complex]:
-    """d/dt of the eight states, the trimmed flight being where all of them are zero."""
+def _rates_and_outputs(plant: SixDof, point: TrimPoint, z: list[complex]) -> list[complex]:
+    """d/dt of the eight states, the trimmed flight being where all of them are zero; then the outputs."""
     u, w, q, theta, beta, p, r, phi, elevator, throttle, aileron, rudder = z
-    V, alpha, gamma = point.spec.V, point.alpha, point.spec.gamma
-    ca, sa = cos(alpha), sin(alpha)
-    level = V + u
-    attitude = product(quaternion(phi, gamma + theta, 0.0j), quaternion(0.0j, complex(alpha), 0.0j))  # type: ignore[arg-type]
-    place = [complex(v) for v in point.state[:3]]
-    motion = [level * ca - w * sa, V * beta, level * sa + w * ca]
-    x = State._make([*place, *motion, *attitude, p * ca - r * sa, q, p * sa + r * ca])
+    ca, sa = cos(point.alpha), sin(point.alpha)
+    zero = 0.0 * u
+    by = PerturbationState(u, w, q, theta, beta, p, r, phi, zero, zero, zero, zero)  # type: ignore[arg-type]
     held = Surfaces(elevator, aileron, rudder, point.surfaces.throttle + throttle)  # type: ignore[arg-type]
+    x = perturbed(point, by)
     d = plant.derivative(x, held, CALM)
     along, across = d.u * ca + d.w * sa, d.w * ca - d.u * sa
     roll, yaw = d.p * ca + d.r * sa, d.r * ca - d.p * sa
-    bank = p + r * np.tan(gamma)  # of Euler's kinematics, which are linear in p, q, r about straight flight
-    return [along, across, d.q, q, d.v / V, roll, yaw, bank]
+    bank = p + r * tan(point.spec.gamma)  # of Euler's kinematics, which are linear in p, q, r about straight flight
+    y = plant.observe(x, held, CALM)._asdict()
+    return [along, across, d.q, q, d.v / point.spec.V, roll, yaw, bank, *(y[name] for name in OUTPUTS)]

@@ -16,6 +16,7 @@ from fdes.cli.aircraft import app as aircraft
 from fdes.cli.check import check
 from fdes.cli.derivatives import derivatives
 from fdes.cli.fly import fly
+from fdes.cli.linearize import linearize
 from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
@@ -71,6 +72,7 @@ app.command(
 )(simulate)
 app.command(epilog='Example: fdes whatif flight.fdes --try "Cm_q*=0.5" --plot whatif.html')(whatif)
 app.command(epilog="Example: fdes trim NAVION 'V=90 kt h=5000 ft turn=3 deg/s'")(trim)
+app.command(epilog="Example: fdes linearize A-4D 'mach=0.5 h=10000 ft'")(linearize)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)
 app.command(epilog="Example: fdes shelves --json")(shelves)

@@ -1,18 +1,48 @@
-"""A scenario flown from the command line: `fdes simulate --scenario`."""
+"""The nonlinear plant flown from the command line: `fdes simulate --scenario` and `--plant nonlinear`."""
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
-from fdes.cli.output import screen
+from fdes.cli.output import note, screen
 from fdes.errors import NoSuchPart, SpecError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from fdes.aircraft import FlightCondition
+    from fdes.flight import Clock
     from fdes.flight.recording import Recording
     from fdes.flight.scenario import Scenario
 
 STDOUT = "-"
 NAMES = ("fdes", "s119")
+
+
+def fly_nonlinear(
+    plant: str,
+    ready: "FlightCondition",
+    inputs: "Iterable[str]",
+    clock: "Clock",
+    trim: str | None,
+    height: float | None,
+    given: dict[str, Any],
+) -> "Recording":
+    """The response of the nonlinear plant, from the trim that is asked for, else the condition's. Raises FdesError."""
+    if plant != "nonlinear":
+        raise NoSuchPart("plant", plant, ("linear", "nonlinear"))
+    from fdes.analysis.nonlinear_response import simulate_nonlinear
+    from fdes.analysis.trim import TrimSpec, spec_of
+
+    default = TrimSpec(ready.reference.V, ready.reference.h if height is None else height)
+    spec = default if trim is None else spec_of(trim, default)
+    return simulate_nonlinear(ready, inputs, clock=clock, spec=spec, **given)
+
+
+def note_assumptions(flight: "Recording") -> None:
+    """Say what no source says of the plant that flew."""
+    for sentence in flight.header["assumptions"]:
+        note(sentence)
 
 
 def fly_and_write(name: str, out: str | None, names: str, units: str) -> None:

@@ -25,7 +25,7 @@ from fdes.cli.options import (
     form_of_equations,
 )
 from fdes.cli.output import note, number, screen, table, working
-from fdes.cli.scenario import fly_and_write
+from fdes.cli.scenario import fly_and_write, fly_nonlinear, note_assumptions
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
 
@@ -95,6 +95,15 @@ def simulate(
             metavar="NAME|FILE", help="Instead of an aircraft: a whole flight of the nonlinear plant as TOML."
         ),
     ] = None,
+    plant: Annotated[
+        str, typer.Option(metavar="linear|nonlinear", help="Small perturbations, or six degrees of freedom.")
+    ] = "linear",
+    trim: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TEXT", help="Where the nonlinear flight begins, such as 'V=170 kt h=5000 ft turn=3 deg/s'."
+        ),
+    ] = None,
     names: Annotated[
         str, typer.Option(metavar="fdes|s119", help="Of a scenario's columns: ours, or those of NASA's check cases.")
     ] = "fdes",
@@ -106,7 +115,7 @@ def simulate(
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     if scenario is not None:
-        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot)):
+        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim)):
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
@@ -118,18 +127,33 @@ def simulate(
     ready = chosen(aircraft, condition, variant, changes)
     clock = _clock(dt, substeps, duration)
     closed = {} if law is None else _law(law, ready, form, dt, quiet=out == STDOUT)
-    response = fly_it(
-        ready,
-        inputs or (),
-        clock=clock,
-        form=form,
-        integrator=integrator,
-        initial=initial or (),
-        height=None if height is None else parse(height, "m"),
-        limits=limits,
-        actuators=actuators,
-        **closed,
-    )
+    given = {"integrator": integrator, "initial": initial or (), "limits": limits, **closed}
+    start = None if height is None else parse(height, "m")
+    if plant == "linear":
+        _no_trim(trim)
+        response = fly_it(ready, inputs or (), clock=clock, form=form, height=start, actuators=actuators, **given)
+    else:
+        _no_actuators(actuators)
+        response = fly_nonlinear(plant, ready, inputs or (), clock, trim, start, given)
+    _write(response, out, target, units)
+    if picture is not None:
+        from fdes.analysis.plots import responses
+
+        title = f"{ready.aircraft_name}, {ready.condition}: {'; '.join((*(inputs or ()), *(initial or ())))}"
+        with working("Drawing"):
+            save_plot(responses(response, title, units), picture)
+        if out != STDOUT:
+            screen().print(f"{plot} is written.", soft_wrap=True)
+    if plant != "linear":
+        note_assumptions(response)
+        return
+    _note_step(ready, form, integrator, dt / substeps)
+    _note_limits(response, ready, limits)
+    _note_excursion(response)
+
+
+def _write(response: "Recording", out: str | None, target: Path | None, units: str) -> None:
+    """To stdout, to a file, or as a summary to the screen."""
     if out == STDOUT:
         response.to_csv(sys.stdout, units)
     elif target is not None:
@@ -139,17 +163,16 @@ def simulate(
         screen().print(f"{out}: {rows} rows, {columns} columns", soft_wrap=True)
     else:
         _summarize(response, units)
-    if picture is not None:
-        from fdes.analysis.plots import responses
 
-        title = f"{ready.aircraft_name}, {ready.condition}: {'; '.join((*(inputs or ()), *(initial or ())))}"
-        with working("Drawing"):
-            save_plot(responses(response, title, units), picture)
-        if out != STDOUT:
-            screen().print(f"{plot} is written.", soft_wrap=True)
-    _note_step(ready, form, integrator, dt / substeps)
-    _note_limits(response, ready, limits)
-    _note_excursion(response)
+
+def _no_trim(trim: str | None) -> None:
+    if trim is not None:
+        raise SpecError("The linear plant flies about its flight condition: give --trim with --plant nonlinear.")
+
+
+def _no_actuators(actuators: bool) -> None:
+    if actuators:
+        raise SpecError("The nonlinear plant has no actuators: leave --actuators out, or fly the linear plant.")
 
 
 def _law(text: str, ready: "FlightCondition", form: str, dt: float, *, quiet: bool) -> dict[str, Any]:

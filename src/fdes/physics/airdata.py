@@ -11,7 +11,7 @@ from fdes.units import KilogramPerMeter3, MeterPerSecond, Number, Pascal
 
 def impact_pressure(mach: Number, p: Pascal) -> Pascal:
     """Pitot minus static pressure of air with a specific-heat ratio of 1.4, behind a normal shock above Mach 1."""
-    if mach <= 1.0:
+    if mach.real <= 1.0:
         ratio: float = pow(1.0 + 0.2 * mach * mach, 3.5)
     else:
         ratio = 166.921580 * pow(mach, 7.0) / pow(7.0 * mach * mach - 1.0, 2.5)  # NACA 1135 eq. 100
@@ -21,7 +21,7 @@ def impact_pressure(mach: Number, p: Pascal) -> Pascal:
 def calibrated_airspeed(q_c: Pascal) -> MeterPerSecond:
     """The speed that would give impact pressure `q_c` at sea level on a standard day."""
     cas: float = A0 * sqrt(5.0 * (pow(q_c / P0 + 1.0, 2.0 / 7.0) - 1.0))
-    if cas <= A0:
+    if cas.real <= A0:
         return cas
     # Above the speed of sound Rayleigh's equation has no inverse in closed form, and this fixed point contracts.
     for _ in range(60):

@@ -1,0 +1,64 @@
+"""The response of the nonlinear plant to the inputs that the linear one takes, from a trimmed flight."""
+
+from collections.abc import Iterable
+from math import inf
+
+from fdes import __version__
+from fdes.aircraft import FlightCondition
+from fdes.analysis.jacobian import perturbed
+from fdes.analysis.trim import TrimSpec, trim
+from fdes.control import Law
+from fdes.control.laws.direct import Direct
+from fdes.errors import SpecError
+from fdes.flight.excitation import Excitation, GustyAir
+from fdes.flight.header import header_of
+from fdes.flight.nonlinear import assumptions, six_dof_of
+from fdes.flight.pilot import HandsOff
+from fdes.flight.recorder import columns_of, row_of
+from fdes.flight.recording import Recording, frames_to_recording
+from fdes.flight.response import disturbed
+from fdes.flight.simulation import Clock, Setup, fly
+from fdes.physics.plant import State
+from fdes.physics.signals import Surfaces
+from fdes.physics.small_perturbation import Limits, PerturbationState
+
+NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, 0.0), Surfaces(inf, inf, inf, 1.0))
+
+
+def simulate_nonlinear(
+    condition: FlightCondition,
+    inputs: Iterable[str] = (),
+    *,
+    clock: Clock,
+    spec: TrimSpec | None = None,
+    integrator: str = "rk4",
+    initial: Iterable[str] = (),
+    limits: bool = False,
+    law: Law | None = None,
+    said: str = "direct",
+) -> Recording:
+    """Fly the nonlinear plant of `condition` from the steady flight `spec`, else from that of the condition, hands off.
+
+    inputs, initial, limits, law, said: as for the linear plant (`fdes.simulate`); `initial` is along the stability axes
+    of the trim. The throttle stays within its range. Rates and load factors are along body axes.
+    Raises SpecError, NoSuchPart, TrimError or Departed.
+    """
+    inputs, initial = list(inputs), list(initial)
+    plant = six_dof_of(condition, integrator)
+    asked = spec or TrimSpec(condition.reference.V, condition.reference.h)
+    point = trim(plant, asked)
+    flown = point.plant if limits else point.plant._replace(limits=NO_LIMITS)
+    by = disturbed(PerturbationState(), initial)
+    if initial and (asked.turn or asked.beta):
+        raise SpecError("A flight that turns or sideslips takes no initial perturbation: leave one of the two out.")
+    excitation = Excitation.parse(inputs, files=True)
+    setup = Setup(flown, law or Direct(condition.full_stick))
+    pilot, weather = HandsOff(point.surfaces.throttle), GustyAir(excitation.gusts, asked.V)
+    start = perturbed(point, by) if initial else flown.start()
+    frames = fly(start, setup, pilot, weather, clock, excitation)
+    header = header_of(
+        condition, "nonlinear", integrator, clock, said, inputs=inputs, initial=initial, limits=limits,
+        trim=asked._asdict(), assumptions=assumptions(condition, plant),
+    )  # fmt: skip
+    header = {"fdes": __version__, "engine": "frame by frame, Python", **header}
+    return frames_to_recording(header, columns_of(State), map(row_of, frames))

@@ -1,0 +1,71 @@
+"""`fdes linearize`: A, B, C and D of the nonlinear plant about a trimmed flight, and the modes of A."""
+
+from typing import Annotated
+
+import typer
+
+from fdes.cli.options import FLAG, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
+from fdes.cli.output import note, number, print_json, screen, table
+
+DUST = 1e-12  # what rounding leaves of a zero
+
+
+def linearize(
+    aircraft: AircraftName,
+    wanted: Annotated[
+        str, typer.Argument(metavar="TEXT", help="The trim, such as 'V=170 kt h=5000 ft gamma=3 deg'.")
+    ] = "",
+    condition: ConditionName = None,
+    variant: VariantName = "corrected",
+    changes: Changes = None,
+    thrust_held: Annotated[
+        bool,
+        typer.Option("--thrust-held", metavar=FLAG, help="Thrust does not change with speed, as in the linear plant."),
+    ] = False,
+    json: AsJson = False,
+) -> None:
+    """Linearize the nonlinear plant where it is trimmed: the derivative that flies, differentiated by complex step.
+
+    States are along the stability axes of the trim, surfaces in rad. C and D, to the outputs along body axes, are in
+    the JSON.
+    """
+    from fdes.analysis import modes
+    from fdes.analysis.jacobian import linearized
+    from fdes.analysis.trim import TrimSpec, spec_of, trim
+    from fdes.flight.nonlinear import assumptions, six_dof_of
+
+    ready = chosen(aircraft, condition, variant, changes)
+    default = TrimSpec(ready.reference.V, ready.reference.h)
+    plant = six_dof_of(ready)
+    point = trim(plant, spec_of(wanted, default) if wanted else default)
+    model = linearized(point, thrust_held=thrust_held)
+    said = assumptions(ready, plant)
+    if json:
+        print_json({
+            "aircraft": ready.aircraft_id,
+            "condition": ready.condition,
+            "point": model.point,
+            "states": model.states,
+            "inputs": model.inputs,
+            "outputs": model.outputs,
+            "units": model.units,
+            **{name: getattr(model, name).tolist() for name in "ABCD"},
+            "notes": said,
+        })  # fmt: skip
+        return
+    spec = point.spec
+    title = f"{ready.aircraft_name}, {ready.condition}: V = {spec.V:.4g} m/s, h = {spec.h:,.0f} m"
+    screen().print(f"{title}; SI and radians", style="bold")
+    for part in (model.longitudinal(), model.lateral()):
+        drawn = table("d/dt", *part.states, *part.inputs)
+        for name, row, gains in zip(part.states, part.A, part.B, strict=True):
+            drawn.add_row(name, *(number(v if abs(v) > DUST else 0.0, 4) for v in (*row, *gains)))
+        screen().print(drawn)
+    drawn = table("mode", "eigenvalue [1/s]", "zeta", "omega_n [rad/s]")
+    for mode in modes(model):
+        s = mode.eigenvalue
+        value = f"{s.real:.4g} ± {abs(s.imag):.4g}j" if s.imag else f"{s.real:.4g}"
+        drawn.add_row(mode.name.replace("_", " "), value, number(-s.real / abs(s), 3), number(abs(s), 4))
+    screen().print(drawn)
+    for sentence in said:
+        note(sentence)
