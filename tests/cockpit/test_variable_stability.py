@@ -1,8 +1,10 @@
 """Variable stability as a student uses it: a derivative is edited in flight; poles, Levels and the response follow."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 
 SIZE = {"width": 1280, "height": 720}
 READY = "() => window.fdes && window.fdes.stats.frames > 5"
@@ -101,3 +103,89 @@ def test_less_pitch_damping_goes_through_the_levels_and_undo_brings_all_back(pag
     page.get_by_role("tab", name="Modes").click()
     dots = page.locator("#s-plane .s-trail.s-longitudinal").first.get_attribute("d")
     assert dots.count("M") > 4  # the poles have left a trail
+
+
+def test_without_pitch_stiffness_the_mode_gets_another_name_and_its_level_falls(page: Any) -> None:
+    levels = []
+    for Cm_alpha in ("-0.38", "-0.1", "-0.03", "0"):
+        if Cm_alpha != "-0.38":
+            enter(page, "Cm_alpha", Cm_alpha)
+        levels.append(told(page, "qualities")["charts"][1]["point"])
+    caps = [point[1] for point in levels[:3]]
+    assert caps == sorted(caps, reverse=True)
+    names = {m["name"] for m in told(page, "modes")["modes"] if m["axis"] == "longitudinal"}
+    assert "short_period" not in names
+    assert level(page, "short_period") == 4
+
+
+def test_a_slider_that_is_dragged_is_one_step_of_undo(page: Any) -> None:
+    slider = page.locator('[data-knob="Cm_q"] input[type="range"]')
+    slider.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    middle = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] / 2, middle)
+    page.mouse.down()
+    for k in range(12):
+        page.mouse.move(box["x"] + box["width"] * (0.5 + 0.02 * k), middle)
+        page.wait_for_timeout(70)
+    page.mouse.up()
+    page.wait_for_timeout(500)
+    stability = told(page, "stability")
+    assert len(stability["changes"]) == 1
+    assert stability["undo"] == 1
+    page.get_by_role("button", name="Undo").click()
+    page.wait_for_function("() => window.fdes.link.latest.get('stability').changes.length === 0")
+    assert page.locator(".knob.is-changed").count() == 0
+
+
+def test_what_cannot_be_is_said_and_changes_nothing(page: Any) -> None:
+    page.get_by_role("tab", name="Mass, speed").click()
+    entry = page.locator("#knob-m")
+    entry.fill("-5")
+    entry.press("Enter")
+    page.wait_for_function(
+        "() => document.querySelector('#panel-stability > .problem').textContent.includes('greater')"
+    )
+    assert told(page, "stability")["changes"] == []
+
+
+def test_the_saved_file_and_the_link_fly_the_same(page: Any, cockpit: str, tmp_path: Path) -> None:
+    enter(page, "Cm_q", "-1.8")
+    page.get_by_role("tab", name="Mass, speed").click()
+    enter(page, "cg", "0.27")
+    edited = told(page, "modes")["modes"]
+    page.get_by_role("button", name="Files…").click()
+    with page.expect_download() as kept:
+        page.get_by_role("button", name="Aircraft as flown").click()
+    path = tmp_path / kept.value.suggested_filename
+    kept.value.save_as(path)
+    page.wait_for_function("() => document.querySelector('#experiment-link').value.includes('#experiment=')")
+    link = page.locator("#experiment-link").input_value()
+
+    page.get_by_label("Open an aircraft").set_input_files(path)
+    page.wait_for_function("() => window.fdes.link.latest.get('aircraft').id === 'A-4D-changed'")
+    page.wait_for_function("() => window.fdes.link.latest.get('stability').changes.length === 0")
+    assert told(page, "modes")["modes"] == edited
+
+    other = page.context.new_page()
+    other.goto(link.replace("/#", "/?world=canvas2d&session=shared#"))
+    other.wait_for_function("() => window.fdes?.link.latest.get('stability')?.changes.length === 2")
+    assert told(other, "modes")["modes"] == edited
+    assert "#experiment" not in other.url
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_the_tab_and_the_verdict_are_accessible(page: Any, theme: str) -> None:
+    page.evaluate(
+        "theme => { if (document.documentElement.dataset.theme !== theme) window.fdes.theme.toggle(); }", theme
+    )
+    enter(page, "Cm_q", "0")
+    assert Axe().run(page).response["violations"] == []
+    page.get_by_role("tab", name="Calculated").click()
+    page.wait_for_selector(".matrix")
+    assert Axe().run(page).response["violations"] == []
+    page.get_by_role("tab", name="Modes").click()
+    page.locator('.level[data-mode="short_period"]').click()
+    page.get_by_role("button", name="What to change").click()
+    page.wait_for_selector(".advice li")
+    assert Axe().run(page).response["violations"] == []

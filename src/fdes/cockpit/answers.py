@@ -2,6 +2,7 @@
 
 from typing import Any, cast
 
+from fdes.aircraft.save import as_toml, saved
 from fdes.analysis import linear_model
 from fdes.analysis.airspeeds import airspeeds
 from fdes.analysis.improvement import adjustables, improvements, unreachable
@@ -9,11 +10,19 @@ from fdes.analysis.qualities import assess
 from fdes.cockpit import commands
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import preview
+from fdes.cockpit.flight_control import fitted
 from fdes.control import LinearModel
 from fdes.physics.derivatives import Form, dimensional
 from fdes.physics.signals import channels
 
-Question = commands.Ping | commands.Preview | commands.Improve | commands.Calculate | commands.Airspeeds
+Question = (
+    commands.Ping
+    | commands.Preview
+    | commands.Improve
+    | commands.Calculate
+    | commands.Airspeeds
+    | commands.SaveAircraft
+)
 
 
 def answer(question: Question, shown: Craft) -> dict[str, Any]:
@@ -27,6 +36,9 @@ def answer(question: Question, shown: Craft) -> dict[str, Any]:
             return calculated(shown)
         case commands.Airspeeds(kind, value, h):
             return airspeeds(kind, value, h)._asdict()
+        case commands.SaveAircraft():
+            content = saved(shown.condition)
+            return {"name": f"{content['id']}.toml", "text": as_toml(shown.condition)}
         case commands.Ping():
             return {}
 
@@ -34,8 +46,11 @@ def answer(question: Question, shown: Craft) -> dict[str, Any]:
 def improved(craft: Craft, criterion: str) -> dict[str, Any]:
     """The changes that reach the next Level by a criterion, or why there are none. Raises NoSuchPart."""
     form = cast("Form", craft.form)
-    (verdict,) = assess(craft.condition, craft.role, form=form, criteria=[criterion])
-    candidates = adjustables(craft.condition, verdict.mode, lambda changed: linear_model(changed, form))
+    airframe = linear_model(craft.condition, form)
+    (verdict,) = assess(craft.fit.model, craft.role, airframe=airframe, criteria=[criterion])
+    candidates = adjustables(
+        craft.condition, verdict.mode, lambda changed: fitted(craft.fit.control, changed, form, craft.clock.dt).model
+    )
     found = improvements(verdict, candidates, craft.role)
     best = verdict.reason if verdict.level is None else "Level 1 is the best: nothing needs to change."
     return {

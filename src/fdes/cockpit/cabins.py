@@ -12,6 +12,7 @@ from fdes.cockpit import commands, wire
 from fdes.cockpit.answers import Question, answer
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import excite
+from fdes.cockpit.experiment import experiment_of, opened
 from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.history import History
 from fdes.cockpit.hub import RATE, Hub, percentiles
@@ -30,6 +31,8 @@ PARTING = 0.5  # s
 LARGEST_REPLAY = 300e6  # bytes
 RECENT = 10 * RATE  # ticks over which lateness is judged
 
+Choosing = commands.ChooseAircraft | commands.Equations | commands.OpenAircraft | commands.OpenExperiment
+
 _NAME = re.compile(r"[A-Za-z0-9_-]{1,40}")
 
 
@@ -43,6 +46,12 @@ class Cabin:
     viewers: set[Viewer] = field(default_factory=set)
     pilot: Viewer | None = None
     leaving: asyncio.TimerHandle | None = None
+    inputs: list[str] = field(default_factory=list)  # the test input put in last, as text
+
+    def fly(self, craft: Craft) -> None:
+        """Begin another flight."""
+        self.session.change(craft)
+        self.past, self.inputs = History(), []
 
 
 class Cabins:
@@ -133,21 +142,14 @@ class Cabins:
             case commands.Record(begin):
                 work = session.start_recording if begin else session.stop_recording
                 return {"recording": await asyncio.to_thread(work)}
-            case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft():
-                session.change(await asyncio.to_thread(self._craft, session.flown, command))
-                cabin.past = History()
-            case (
-                commands.Edit()
-                | commands.Undo()
-                | commands.Redo()
-                | commands.Judge()
-                | commands.Engage()
-                | commands.UseActuators()
-            ):
+            case commands.Share():
+                return {"experiment": await asyncio.to_thread(experiment_of, session.flown, self.fleet, cabin.inputs)}
+            case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft() | commands.OpenExperiment():
+                await self._fly(cabin, command)
+            case _ if isinstance(command, Editing):
                 await self._edit(cabin, command)
             case commands.PutIn() | commands.PutInHistory() | commands.Hold():
-                if excite(session, command):
-                    self._later(session.start_recording)
+                self._excite(cabin, command)
             case commands.Delete(recording):
                 await asyncio.to_thread(self._delete, recording)
             case commands.PlayBack(recording):
@@ -155,6 +157,23 @@ class Cabins:
             case _:
                 _obey_at_once(session, command)
         return {}
+
+    async def _fly(self, cabin: Cabin, command: Choosing) -> None:
+        """Begin another flight; an experiment brings its inputs along."""
+        if isinstance(command, commands.OpenExperiment):
+            craft, inputs = await asyncio.to_thread(opened, command.text, self.fleet)
+            cabin.fly(craft)
+            for text in inputs:
+                self._excite(cabin, commands.PutIn(text))
+        else:
+            cabin.fly(await asyncio.to_thread(self._craft, cabin.session.flown, command))
+
+    def _excite(self, cabin: Cabin, command: commands.PutIn | commands.PutInHistory | commands.Hold) -> None:
+        """Put something in, and remember it as part of the experiment."""
+        if excite(cabin.session, command):
+            self._later(cabin.session.start_recording)
+        if isinstance(command, commands.PutIn):
+            cabin.inputs = [command.text]
 
     async def _edit(self, cabin: Cabin, command: Editing) -> None:
         """Change what flies, and tell at once. The work is done in a thread: it never costs a tick."""

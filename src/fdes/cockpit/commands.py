@@ -170,6 +170,23 @@ class Airspeeds:
 
 
 @dataclass(frozen=True)
+class SaveAircraft:
+    """What is flown as an aircraft file, which is TOML."""
+
+
+@dataclass(frozen=True)
+class Share:
+    """The whole experiment as JSON."""
+
+
+@dataclass(frozen=True)
+class OpenExperiment:
+    """Fly this experiment, which is JSON. It comes as a binary message."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class OpenAircraft:
     """Fly the aircraft of this file, which is TOML. It comes as a binary message."""
 
@@ -220,6 +237,9 @@ Command = (
     | Calculate
     | Airspeeds
     | OpenAircraft
+    | OpenExperiment
+    | SaveAircraft
+    | Share
     | Engage
     | UseActuators
 )
@@ -246,6 +266,8 @@ COMMANDS: dict[str, type[Command]] = {
     "redo": Redo,
     "judge": Judge,
     "improve": Improve,
+    "save_aircraft": SaveAircraft,
+    "share": Share,
     "calculate": Calculate,
     "airspeeds": Airspeeds,
     "law": Engage,

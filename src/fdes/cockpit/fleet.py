@@ -27,14 +27,18 @@ class Fleet:
         """All aircraft by id, the hangar's in its own order."""
         return {a.id: a for a in catalogue()} | {self._own.id: self._own}
 
+    def named(self, aircraft: str) -> Aircraft:
+        """The aircraft of that id. Raises NoSuchPart for one that is not offered."""
+        if aircraft not in self.aircraft:
+            raise NoSuchPart("aircraft", aircraft, self.aircraft)
+        return self.aircraft[aircraft]
+
     def craft(self, aircraft: str, condition: str | None, variant: str, like: Craft) -> Craft:
         """An aircraft made ready, with the equations and the step of `like`.
 
         Raises NoSuchPart for an id, condition or variant that is not offered.
         """
-        if aircraft not in self.aircraft:
-            raise NoSuchPart("aircraft", aircraft, self.aircraft)
-        return make_craft(self.aircraft[aircraft].at(condition, variant), like.form, like.integrator, like.clock.dt)
+        return make_craft(self.named(aircraft).at(condition, variant), like.form, like.integrator, like.clock.dt)
 
     def opened(self, text: str, like: Craft) -> Craft:
         """The aircraft of a file's `text`, in its first condition, with the equations and the step of `like`.

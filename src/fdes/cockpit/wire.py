@@ -13,7 +13,7 @@ A measured history is a header of 8 bytes and up to `MOST_ROWS` rows, in SI; its
 
     u8 type = 3 · u8 version · u16 place of the channel in INPUT_CHANNELS · u32 id · f64 t [s], f64 value for each row
 
-A document is a header of 8 bytes and a text in UTF-8, an aircraft file; its reply bears its id:
+A document is a header of 8 bytes and a text in UTF-8, an aircraft file or an experiment; its reply bears its id:
 
     u8 type = 4 · u8 version · u16 place in DOCUMENTS · u32 id · text
 
@@ -28,7 +28,7 @@ from math import isfinite
 from types import NoneType
 from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
-from fdes.cockpit.commands import COMMANDS, Command, OpenAircraft, PutInHistory
+from fdes.cockpit.commands import COMMANDS, Command, OpenAircraft, OpenExperiment, PutInHistory
 from fdes.control import Stick
 from fdes.errors import SpecError, nearest
 from fdes.flight.excitation import UNITS
@@ -55,7 +55,7 @@ STATE_TYPE = 1
 INPUT_TYPE = 2
 HISTORY_TYPE = 3
 DOCUMENT_TYPE = 4
-DOCUMENTS = (OpenAircraft,)
+DOCUMENTS: tuple[type[OpenAircraft | OpenExperiment], ...] = (OpenAircraft, OpenExperiment)
 MAX_TEXT = 4096  # bytes
 MOST_TEXTS = 64  # in a list
 MOST_ROWS = 4000  # of a history: less than the largest message that the server takes
@@ -109,7 +109,7 @@ def unpack_command(data: bytes) -> tuple[int, Command]:
     return unpack_history(data) if data[0] == HISTORY_TYPE else unpack_document(data)
 
 
-def unpack_document(data: bytes) -> tuple[int, OpenAircraft]:
+def unpack_document(data: bytes) -> tuple[int, OpenAircraft | OpenExperiment]:
     """Read a document: its id, and what it asks. Raises SpecError when it is none."""
     if len(data) < _DOCUMENT.size:
         raise SpecError(f"A document has {_DOCUMENT.size} bytes and a text; {len(data)} bytes came.")
@@ -117,7 +117,7 @@ def unpack_document(data: bytes) -> tuple[int, OpenAircraft]:
     if version != VERSION:
         raise SpecError(f"The document has version {version}; this server speaks version {VERSION}.")
     if kind >= len(DOCUMENTS):
-        raise SpecError(f"There is no document of kind {kind}: 0 is an aircraft file.")
+        raise SpecError(f"There is no document of kind {kind}: 0 is an aircraft file, 1 an experiment.")
     try:
         text = data[_DOCUMENT.size :].decode()
     except UnicodeDecodeError:

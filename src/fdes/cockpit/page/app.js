@@ -53,12 +53,21 @@ let laboratory = null; // what few open on their first visit is fetched when it 
 const tabs = new Tabs(byId("tabs"), (tab) => {
   if (tab === "recordings") recordings.refresh();
   if (tab === "stability") laboratory ??= openLaboratory();
+  if (tab === "control") openFlightControl();
 });
 fillHelp(byId("help"));
 
 async function openLaboratory() {
   const { VariableStability } = await import("./variable_stability.js");
   return new VariableStability(byId("panel-stability"), link);
+}
+
+let flightControl = null;
+
+/** The Flight control tab; fetched when it is opened, or when its key is pressed. */
+function openFlightControl() {
+  flightControl ??= import("./flight_control.js").then(({ FlightControl }) => new FlightControl(byId("panel-control"), link));
+  return flightControl;
 }
 
 /** The session of this window, kept over a reload. */
@@ -119,6 +128,7 @@ const actions = {
   record: () => command("record", { value: !link.has(FLAG.recording) }),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
   theme: () => theme.toggle(),
+  law: async () => topBar.say(await (await openFlightControl()).toggle()),
   help: () => byId("help").showModal(),
 };
 listenToKeys(actions);
@@ -132,6 +142,20 @@ for (const dialog of document.querySelectorAll("dialog")) {
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close()); // a click beside it
 }
 
+/** An experiment in the address is flown once, when the seat of the pilot has been taken. */
+async function openShared() {
+  const shared = location.hash.match(/^#experiment=([\w-]+)$/)?.[1];
+  if (!shared || !pilot) return;
+  history.replaceState(null, "", location.pathname + location.search);
+  const { textOf } = await import("./experiment_files.js");
+  try {
+    await link.openText(1, textOf(shared));
+    topBar.say("The experiment of this link flies.");
+  } catch (error) {
+    topBar.complain(error.message);
+  }
+}
+
 let flown = null; // aircraft and condition, to know whether a message brings another one
 let pilot = false;
 let seated = false; // whether the throttle lever has been put where the simulation has it
@@ -142,6 +166,7 @@ link.on("hello", (hello) => {
   byId("observer").hidden = pilot;
   chart.setChannels(hello.channels);
   topBar.showHello(hello);
+  openShared();
 });
 link.on("frame", ({ values, index }) => {
   if (seated || flown === null) return;
@@ -165,7 +190,7 @@ link.on("aircraft", (aircraft) => {
   modes.showStatic(aircraft.static);
   drawSheet(byId("panel-aircraft"), aircraft);
 });
-link.on("modes", (message) => modes.show(message.modes));
+link.on("modes", (message) => modes.show(message.modes, message.bare));
 link.on("knobs", () => modes.clearTrail()); // another aircraft
 new Levels(byId("levels"), link);
 let recorded = null;

@@ -11,6 +11,7 @@ const VERSION = 1;
 const STATE = 1;
 const INPUT = 2;
 const HISTORY = 3;
+const DOCUMENT = 4;
 const REPLY_WITHIN = 5000; // ms
 const BACKOFF = { first: 250, longest: 5000 }; // ms
 const STALE = 1500; // ms without a frame: the picture on the screen is no longer true
@@ -153,6 +154,21 @@ export class Link {
       times.forEach((t, k) => view.setFloat64(8 + 16 * k, t, true));
       values.forEach((value, k) => view.setFloat64(16 + 16 * k, value, true));
       return view.buffer;
+    });
+  }
+
+  /** Sends the text of a file: `kind` 0 is an aircraft, 1 an experiment; the promise is as that of a command. */
+  openText(kind, text) {
+    return this.ask("open", (id) => {
+      const bytes = new TextEncoder().encode(text);
+      const message = new Uint8Array(8 + bytes.length);
+      const view = new DataView(message.buffer);
+      view.setUint8(0, DOCUMENT);
+      view.setUint8(1, VERSION);
+      view.setUint16(2, kind, true);
+      view.setUint32(4, id, true);
+      message.set(bytes, 8);
+      return message.buffer;
     });
   }
 

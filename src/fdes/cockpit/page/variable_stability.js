@@ -2,6 +2,7 @@
 
 import { fetchStyle, html } from "./dom.js";
 import { button, row } from "./fields.js";
+import { openFiles } from "./experiment_files.js";
 import { Edits, nameOf } from "./edits.js";
 import { KnobRow } from "./knob_row.js";
 import { CalculatedPage } from "./calculated.js";
@@ -44,8 +45,11 @@ export class VariableStability {
       this.pages[group] = html("div", { role: "tabpanel", id, "aria-labelledby": `tab-${id}`, tabindex: 0 });
       return this.pages[group];
     });
+    const files = button("Files…", () => openFiles(link));
+    files.setAttribute("aria-haspopup", "dialog");
+    const line = html("div", { class: "changed-line" }, this.changed, files);
     const tools = html("div", { class: "knob-tools" }, this.search, row([this.undo, this.redo, this.resetAll]));
-    panel.replaceChildren(tools, this.changed, this.problem, list, ...panels);
+    panel.replaceChildren(tools, line, this.problem, list, ...panels);
     this.calculated = new CalculatedPage(this.pages.calculated, link);
     this.tabs = new Tabs(list, (tab) => this.calculated.watch(tab === "knobs-calculated"));
     link.on("knobs", ({ knobs }) => this.fill(knobs, link.latest.get("stability")));

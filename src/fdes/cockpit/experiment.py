@@ -1,0 +1,95 @@
+"""A whole experiment as a small JSON object: what flies, how it was changed, by which law, and what is put in.
+
+It is data and nothing else. Aircraft, laws, forms and integrators go by the names of what the server offers; an
+aircraft that it does not offer is in the experiment as the content of its file. No name in it is ever taken for a path
+or for code.
+"""
+
+import json
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from fdes.aircraft import parse
+from fdes.aircraft.role import role_of
+from fdes.cockpit.craft import Craft, make_craft
+from fdes.cockpit.fleet import Fleet
+from fdes.cockpit.flight_control import Control
+from fdes.errors import SpecError
+from fdes.flight import Excitation
+
+MOST = 64  # changes, and inputs
+LONGEST = 400  # characters of a text
+
+
+class Experiment(BaseModel):
+    """What an experiment may say."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+    format: Literal["fdes experiment 1"]
+    aircraft: str = Field(max_length=LONGEST)
+    condition: str = Field(max_length=LONGEST)
+    variant: Literal["corrected", "printed"] = "corrected"
+    form: str = Field(default="full", max_length=LONGEST)
+    integrator: str = Field(default="rk4", max_length=LONGEST)
+    step: float
+    changes: list[str] = Field(default=[], max_length=MOST)
+    law: str = Field(default="direct", max_length=LONGEST)
+    sampled: bool = False
+    actuators: bool = False
+    inputs: list[str] = Field(default=[], max_length=MOST)
+    airplane_class: str | None = None
+    category: str | None = None
+    phase: str | None = None
+    document: dict[str, Any] | None = None
+
+
+def experiment_of(craft: Craft, fleet: Fleet, inputs: list[str]) -> dict[str, Any]:
+    """The experiment that `craft` and the texts of its test inputs are."""
+    base, control = craft.base, craft.fit.control
+    offered = fleet.aircraft.get(base.aircraft_id)
+    own = role_of(base.document, base.condition)
+    said = {
+        "airplane_class": craft.role.airplane_class,
+        "category": craft.role.category,
+        "phase": craft.role.phase,
+    }
+    asked = {key: value for key, value in said.items() if value != getattr(own, key)}
+    return Experiment(
+        format="fdes experiment 1",
+        aircraft=base.aircraft_id,
+        condition=base.condition,
+        variant=base.variant,
+        form=craft.form,
+        integrator=craft.integrator,
+        step=craft.clock.dt,
+        changes=list(craft.changes),
+        law=control.law,
+        sampled=control.sampled,
+        actuators=control.actuators,
+        inputs=inputs,
+        document=None if offered and offered.document == base.document else dict(base.document),
+        **asked,
+    ).model_dump(exclude_defaults=True)
+
+
+def opened(text: str, fleet: Fleet) -> tuple[Craft, list[str]]:
+    """The craft of an experiment's text, and the inputs to put in when it flies. Raises FdesError."""
+    try:
+        said = Experiment.model_validate(json.loads(text))
+    except ValidationError as wrong:
+        first = wrong.errors()[0]
+        key = ".".join(map(str, first["loc"])) or "it"
+        raise SpecError(f"The experiment cannot be used: {key}: {first['msg']}.") from None
+    except (ValueError, RecursionError):
+        raise SpecError("The experiment cannot be used: it is not JSON.") from None
+    if said.document is None:
+        aircraft = fleet.named(said.aircraft)
+    else:
+        aircraft = parse(said.document, "The aircraft in the experiment")
+    base = aircraft.at(said.condition, said.variant)
+    role = role_of(base.document, base.condition).but(said.airplane_class, said.category, said.phase)
+    Excitation.parse(said.inputs)  # complains now, if it must
+    control = Control(law=said.law, actuators=said.actuators, sampled=said.sampled)
+    return make_craft(base, said.form, said.integrator, said.step, said.changes, role, control), said.inputs
