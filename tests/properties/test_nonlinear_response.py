@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
 
 import fdes
 from fdes.aircraft import load
@@ -11,11 +13,13 @@ from fdes.analysis.trim import CALM, TrimSpec, trim
 from fdes.errors import Departed, SpecError
 from fdes.flight import Clock, Recording
 from fdes.flight.nonlinear import six_dof_of
+from fdes.physics.plant import state_at
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import PerturbationState
 from fdes.units import DEG
 
 CLOCK = Clock(0.02, duration=4.0)
+plants = {name: six_dof_of(load(name).at()) for name in ("A-4D", "F-104A", "NAVION", "Convair880", "B747", "JetStar")}
 
 
 def linear_flight(inputs: list[str]) -> tuple[np.ndarray, Recording]:
@@ -80,6 +84,43 @@ def test_a_loop_can_be_flown_that_the_linear_plant_cannot() -> None:
     assert flight["theta"].max() > 89.0 * DEG
     assert np.isfinite(flight.data).all()
     assert np.abs(flight["phi"]).max() > 2.0  # on its back
+
+
+ENVELOPE = {
+    "V": (0.0, 700.0),
+    "alpha": (-3.2, 3.2),
+    "beta": (-1.5, 1.5),
+    "rate": (-6.0, 6.0),
+    "h": (-4000.0, 80000.0),
+}
+
+
+def spans(*names: str) -> list[some.SearchStrategy[float]]:
+    return [some.floats(*ENVELOPE[name]) for name in names]
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    some.sampled_from(["A-4D", "F-104A", "NAVION", "Convair880", "B747", "JetStar"]),
+    some.tuples(*spans("V", "alpha", "beta", "h")),
+    some.tuples(*spans("alpha", "beta", "alpha")),
+    some.tuples(*spans("rate", "rate", "rate")),
+    some.builds(Surfaces, *[some.floats(-1.0, 1.0)] * 3, some.floats(-0.5, 1.5)),
+)
+def test_no_state_of_the_envelope_gives_what_is_no_number(
+    name: str,
+    flow: tuple[float, float, float, float],
+    attitude: tuple[float, float, float],
+    rates: tuple[float, float, float],
+    held: Surfaces,
+) -> None:
+    """At rest, backward, tumbling, at any height of the atmosphere, surfaces at their stops."""
+    V, alpha, beta, h = flow
+    plant = plants[name]
+    still = state_at(plant.earth, (0.0, 0.0, h), (0.0, 0.0, 0.0), attitude, rates)
+    x = still._replace(u=V * np.cos(alpha) * np.cos(beta), v=V * np.sin(beta), w=V * np.sin(alpha) * np.cos(beta))
+    assert np.isfinite(plant.observe(x, held, CALM)).all()
+    assert np.isfinite(plant.advance(x, held, CALM, 1.0 / 120.0)).all()
 
 
 def test_a_flight_into_the_ground_and_far_below_departs() -> None:
