@@ -188,3 +188,28 @@ def nesc(
         screen().print(f"\n{held} comparisons: {held - failed} passed, {failed} failed")
     if failed:
         raise typer.Exit(1)
+
+
+@app.command(epilog="Example: fdes verify sixdof")
+def sixdof(json: AsJson = False) -> None:
+    """What must hold of six degrees of freedom without anyone's data. Exits with 1 if something does not.
+
+    Conservation, symmetry, order of the integrator, gravity, trim, and that linear meets nonlinear.
+    """
+    from fdes.analysis.six_dof_checks import six_dof_properties
+
+    found = list(six_dof_properties())
+    failed = sum(not p.passed for p in found)
+    if json:
+        rows = [{"says": p.says, "found": p.found, "allowed": p.allowed, "passed": p.passed} for p in found]
+        print_json({"properties": rows, "failed": failed})
+    else:
+        for p in found:
+            verdict = "ok    " if p.passed else "FAILED"
+            bound = f"at least {p.allowed:g}" if p.least else f"at most {p.allowed:g}"
+            screen().print(
+                f"{verdict} {p.says}: {p.found:.2g}, {bound}", style=None if p.passed else "red", soft_wrap=True
+            )
+        screen().print(f"\n{len(found)} properties: {len(found) - failed} hold, {failed} do not")
+    if failed:
+        raise typer.Exit(1)
