@@ -36,7 +36,7 @@ def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
     plant = point.plant._replace(limits=FREE)
     if thrust_held:
         engine = plant.engine._replace(with_speed=0.0, with_density=0.0)
-        now = _thrust_ratio(plant, point)
+        now = thrust_ratio(plant, point)
         plant = plant._replace(engine=engine._replace(T_max=engine.T_max * now))
     size, columns = len(STATES), []
     for k in range(size + len(INPUTS)):
@@ -69,7 +69,7 @@ def perturbed(point: TrimPoint, by: PerturbationState) -> State:
     return State._make([*place, *motion, *attitude, by.p * ca - by.r * sa, by.q, by.p * sa + by.r * ca])
 
 
-def _thrust_ratio(plant: SixDof, point: TrimPoint) -> float:
+def thrust_ratio(plant: SixDof, point: TrimPoint) -> float:
     """The engine's largest thrust in the trimmed flight, over T_max."""
     flow = instant(plant, point.state, Surfaces(throttle=point.surfaces.throttle), CALM).flow
     now, full = (thrust(e, flow, 1.0) for e in (plant.engine, plant.engine._replace(with_speed=0.0, with_density=0.0)))

@@ -175,7 +175,7 @@ def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
             continue
         stop = low if value < low else high
         angle = name != "throttle"
-        said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg" if angle else f"{value:.3g} of {stop:g}"
+        said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg" if angle else f"{value:.4g} of {stop:g}"
         found.append(f"the {name} would have to be {said}")
     return found
 

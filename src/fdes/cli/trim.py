@@ -1,15 +1,18 @@
 """`fdes trim`: the steady flight that is asked for, or what keeps the aircraft from it."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
-from fdes.cli.output import note, number, print_json, screen, table
-from fdes.units import DEG
+from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
+from fdes.cli.output import note, number, print_json, screen, table, working
+from fdes.errors import SpecError
+from fdes.units import DEG, parse
 
 if TYPE_CHECKING:
-    from fdes.analysis.trim import TrimPoint
+    from fdes.analysis.trim import TrimPoint, TrimSpec
+    from fdes.analysis.trim_map import TrimLine
+    from fdes.physics.plant import SixDof
 
 
 def trim(
@@ -20,6 +23,11 @@ def trim(
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     changes: Changes = None,
+    heights: Annotated[
+        str | None,
+        typer.Option(metavar="TEXT", help="All speeds that can be flown at these, such as '0 ft, 10000 ft, 6 km'."),
+    ] = None,
+    plot: PlotFile = None,
     json: AsJson = False,
 ) -> None:
     """Trim the nonlinear plant in steady flight: straight, climbing, turning or sideslipping.
@@ -34,8 +42,11 @@ def trim(
     ready = chosen(aircraft, condition, variant, changes)
     plant = six_dof_of(ready)
     default = TrimSpec(ready.reference.V, ready.reference.h)
-    point = found_by(plant, spec_of(wanted, default) if wanted else default)
-    said = assumptions(ready, plant)
+    spec, said = spec_of(wanted, default) if wanted else default, assumptions(ready, plant)
+    if heights is not None or plot is not None:
+        _map(plant, spec, heights, plot, f"{ready.aircraft_name}, {ready.condition}", json)
+        return
+    point = found_by(plant, spec)
     if json:
         print_json({
             "aircraft": ready.aircraft_id,
@@ -55,6 +66,52 @@ def trim(
     _show(point, f"{ready.aircraft_name}, {ready.condition}")
     for sentence in said:
         note(sentence)
+
+
+def _map(plant: "SixDof", spec: "TrimSpec", heights: str | None, plot: str | None, title: str, json: bool) -> None:
+    """Every speed that can be flown, at each height."""
+    from fdes.analysis.trim_map import drawn, trim_map
+    from fdes.cli.plot import save_plot, target_of
+
+    target = target_of(plot)
+    wanted = [spec.h] if heights is None else [parse(h.strip(), "m") for h in heights.split(",")]
+    with working("Trimming"):
+        lines = trim_map(plant, spec, wanted)
+    if not lines:
+        raise SpecError(f"At none of these heights can it be flown at any speed near {spec.V:.4g} m/s. Try lower ones.")
+    if target is not None:
+        save_plot(drawn(lines, title), target)
+    if json:
+        print_json({"lines": [_line_as_json(line) for line in lines], "units": "SI"})
+        return
+    screen().print(f"{title}: speeds that can be flown, true airspeed in m/s", style="bold")
+    rows = table("height [m]", "slowest", "least power", "best excess [m/s]", "at", "fastest")
+    for line in lines:
+        V, excess = line.speeds, line.excess_power()
+        power = [speed * T for speed, T in zip(V, line.required, strict=True)]
+        best = excess.index(max(excess))
+        figures = (V[0], V[power.index(min(power))], excess[best], V[best], V[-1])
+        rows.add_row(f"{line.h:,.0f}", *(number(f, 4) for f in figures))
+    screen().print(rows)
+    for line in lines:
+        screen().print(f"At {line.h:,.0f} m, slower: {line.slow_end or 'not looked for'}.", soft_wrap=True)
+        screen().print(f"At {line.h:,.0f} m, faster: {line.fast_end or 'not looked for'}.", soft_wrap=True)
+    if plot is not None:
+        screen().print(f"{plot} is written.", soft_wrap=True)
+
+
+def _line_as_json(line: "TrimLine") -> dict[str, Any]:
+    return {
+        "h": line.h,
+        "V": line.speeds,
+        "alpha": [p.alpha for p in line.points],
+        **{name: [getattr(p.surfaces, name) for p in line.points] for name in ("elevator", "throttle")},
+        "thrust_required": line.required,
+        "thrust_available": line.available,
+        "excess_power": line.excess_power(),
+        "slow_end": line.slow_end,
+        "fast_end": line.fast_end,
+    }
 
 
 def _show(point: "TrimPoint", title: str) -> None:
