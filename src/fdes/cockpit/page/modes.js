@@ -13,6 +13,7 @@ const COLUMNS = [
   ["T, s", "Period: time of one oscillation"],
   ["Cycles", "Periods until half the amplitude is left; ×2: until it has doubled"],
 ];
+const NEUTRAL = 1e6; // s: a slower motion is none
 const LONGEST_TRAIL = 1200; // modes as they were: some 240 edits
 const AIRLESS = "Dimensional derivatives: no static margin, n/α, roll rate.";
 
@@ -22,6 +23,7 @@ export class ModesPanel {
     this.table = table;
     this.figures = figures;
     this.modes = [];
+    this.bare = [];
     new ResizeObserver(() => this.drawPlane()).observe(plane.parentElement);
     table.addEventListener("pointerover", ({ target }) => this.highlight(target.closest("tr")?.dataset.mode));
     table.addEventListener("pointerleave", () => this.highlight(null));
@@ -51,9 +53,11 @@ export class ModesPanel {
     this.drawPlane();
   }
 
-  show(modes) {
+  /** `bare`: the roots [re, im] without control law and actuators, where there are any. */
+  show(modes, bare = []) {
     this.leaveTrail(modes);
     this.modes = modes;
+    this.bare = bare;
     this.drawPlane();
     const head = html(
       "thead",
@@ -81,7 +85,7 @@ export class ModesPanel {
 
   drawPlane() {
     const { width, height } = this.plane.parentElement.getBoundingClientRect();
-    if (width > 0) drawSPlane(this.plane, this.modes, width, height, this.trail);
+    if (width > 0) drawSPlane(this.plane, this.modes, width, height, this.trail, this.bare);
   }
 
   highlight(name) {
@@ -115,10 +119,13 @@ function approximation({ name, approximation: nelson }) {
   return `Nelson: ${value}, off by ${off.join(", ")}`;
 }
 
+/** A time of a mode; that of a root which is zero but for rounding is infinite. */
+const lasting = (time) => (time > NEUTRAL ? "∞" : figure(time));
+
 function row(mode) {
   const { name, axis, omega_n, zeta, time_constant, time_to_half, time_to_double, period } = mode;
   const { cycles_to_half, cycles_to_double } = mode;
-  const growing = time_to_double !== null;
+  const growing = time_to_double !== null && time_to_double < NEUTRAL;
   const who = Object.entries(mode.participation ?? {})
     .map(([state, share]) => `${state} ${Math.round(100 * share)} %`)
     .join(", ");
@@ -126,10 +133,10 @@ function row(mode) {
     "tr",
     { "data-mode": name, tabindex: 0, title: who && `Who takes part: ${who}` },
     html("th", { scope: "row" }, html("i", { class: `swatch ${axis}` }), modeName(name)),
-    html("td", {}, figure(omega_n)),
+    html("td", {}, omega_n < 1 / NEUTRAL ? "0" : figure(omega_n)),
     html("td", {}, period === null ? "–" : figure(zeta)),
-    html("td", {}, figure(time_constant)),
-    html("td", { class: growing ? "growing" : "" }, growing ? `T2 ${figure(time_to_double)}` : figure(time_to_half)),
+    html("td", {}, lasting(time_constant)),
+    html("td", { class: growing ? "growing" : "" }, growing ? `T2 ${figure(time_to_double)}` : lasting(time_to_half ?? time_to_double)),
     html("td", {}, figure(period)),
     html("td", { class: growing ? "growing" : "" }, cycles_to_double ? `×2 ${figure(cycles_to_double)}` : figure(cycles_to_half)),
   );

@@ -12,9 +12,11 @@ const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**
  * Fills the SVG element `plane`, `width` by `height` px, with `modes` as the server describes them; `trail` are modes as
- * they were before.
+ * they were before, `bare` the roots [re, im] without control law and actuators. Roots of actuators lie far to the left:
+ * the table has them.
  */
-export function drawSPlane(plane, modes, width, height, trail = []) {
+export function drawSPlane(plane, all, width, height, trail = [], bare = []) {
+  const modes = all.filter(({ name }) => !isActuator(name));
   plane.setAttribute("viewBox", `0 0 ${width} ${height}`);
   plane.replaceChildren();
   if (!modes.length || width < 60) return;
@@ -23,16 +25,22 @@ export function drawSPlane(plane, modes, width, height, trail = []) {
   const magnified = slow.length > 0 && slow.length < modes.length;
   const share = magnified ? 0.6 : 1;
   const fast = magnified ? modes.filter((mode) => !slow.includes(mode)) : modes;
-  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s", trail });
+  const [near, far] = [true, false].map((slower) => bare.filter((root) => Math.hypot(...root) < SLOW * fastest === slower));
+  const past = trail.filter(({ name }) => !isActuator(name));
+  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s", trail: past, bare: far });
   if (magnified) {
-    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height, trail };
+    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height, trail: past, bare: near };
     drawPane(plane, slow, slow, { ...pane, title: "near the origin" });
   }
 }
 
-function drawPane(plane, named, all, { x, width, height, title, trail }) {
+const isActuator = (name) => name.includes("_actuator");
+
+function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
   const names = new Set(named.map(({ name }) => name));
-  const seen = [...named, ...trail.filter(({ name }) => names.has(name))]; // a trail stays in sight
+  const kept = trail.filter(({ name }) => names.has(name));
+  const without = bare.map((eigenvalue) => ({ eigenvalue, omega_n: Math.hypot(...eigenvalue) }));
+  const seen = [...named, ...kept, ...without]; // a trail stays in sight
   const reals = seen.map(({ eigenvalue }) => eigenvalue[0]);
   const widest = Math.max(...seen.map(({ omega_n }) => omega_n));
   const left = Math.min(...reals, -0.25 * widest) * 1.25;
@@ -63,7 +71,7 @@ function drawPane(plane, named, all, { x, width, height, title, trail }) {
   grid.append(svg("path", { class: "s-axis", d: `M${x} ${at.y(0)}H${x + width}M${at.x(0)} 0V${height}` }));
 
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
-  plane.append(drawTrail(trail, at, clipId));
+  plane.append(drawTrail(trail, at, clipId), drawBare(bare, at));
   const words = [[x, x + title.length * 5.6, height - 14, height]]; // not to be covered: left, right, top, bottom
   for (let im = step; im < top; im += step) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
@@ -89,6 +97,14 @@ function drawTrail(trail, at, clipId) {
       .flatMap(({ eigenvalue: [re, im] }) => (im ? [1, -1] : [1]).map((side) => `M${at.x(re).toFixed(1)} ${at.y(side * im).toFixed(1)}h.01`));
     if (dots.length) group.append(svg("path", { class: `s-trail s-${axis}`, d: dots.join("") }));
   }
+  return group;
+}
+
+/** Where the roots are without control law and actuators: hollow diamonds. */
+function drawBare(bare, at) {
+  const group = svg("g", { class: "s-bare" }, svg("title", {}, "Without the control law"));
+  for (const [re, im] of bare) group.append(svg("path", { d: `M${at.x(re) - 4} ${at.y(im)}l4 -4l4 4l-4 4z` }));
+  for (const [re, im] of bare.filter((root) => root[1])) group.append(svg("path", { d: `M${at.x(re) - 4} ${at.y(-im)}l4 -4l4 4l-4 4z` }));
   return group;
 }
 
@@ -149,8 +165,8 @@ const tidy = (value) => String(Number(value.toPrecision(3)));
 
 /** "short_period" -> "Short period". */
 export function modeName(name) {
-  const words = name.replaceAll("_", " ");
-  return words[0].toUpperCase() + words.slice(1);
+  const words = name.replace(/^(e|a|r)\w+_actuator/, "δ$1 actuator").replaceAll("_", " ");
+  return words[0] === "δ" ? words : words[0].toUpperCase() + words.slice(1);
 }
 
 function roundStep(value) {

@@ -1,0 +1,143 @@
+/** The Flight control tab: control laws engaged in flight, their gains, actuators, and the diagram of what is in use. */
+
+import { ControlDiagram } from "./control_diagram.js";
+import { fetchStyle, html } from "./dom.js";
+import { button, choice } from "./fields.js";
+import { LawCard } from "./law_card.js";
+import { Tabs } from "./tabs.js";
+import { degrees, figure } from "./units.js";
+
+const NONE = "direct";
+const FIRST = "yaw_damper"; // what the key engages before anything was chosen
+// In the order in which loops are closed, the innermost first.
+const WORDS = {
+  yaw_damper: { title: "Yaw damper", does: "yaw rate, washed out, to the rudder" },
+  roll_rate_damper: { title: "Roll-rate damper", does: "roll rate to the ailerons" },
+  spiral_stabilization: { title: "Spiral stabilization", does: "yaw rate to the ailerons" },
+  roll_angle: { title: "Roll-angle control", does: "the stick commands a bank" },
+  pitch_rate_damper: { title: "Pitch-rate damper", does: "pitch rate to the elevator" },
+  pitch_rate_pi: { title: "Pitch-rate PI", does: "the stick commands a pitch rate" },
+};
+
+export class FlightControl {
+  /** `link` is the wire. */
+  constructor(panel, link) {
+    fetchStyle("/page/flight_control.css");
+    this.link = link;
+    this.cards = new Map();
+    this.last = FIRST;
+    this.waiting = null;
+    this.busy = false;
+    this.control = null;
+    this.problem = html("p", { class: "problem", role: "alert" });
+    this.notes = html("ul", { class: "law-notes", role: "status" });
+    this.switch = button("Engage", () => this.toggle());
+    this.switch.id = "engage";
+    this.switch.title = "All laws on, or off (L)";
+    this.domain = choice("Design in", [["s", "s"], ["z", "z"]], "s");
+    this.domain.label.title = "s: continuous. z: sampled, at the step of the flight";
+    this.domain.select.addEventListener("change", () => this.again());
+    this.actuators = html("input", { type: "checkbox", id: "actuators", onchange: () => this.say("actuators", { on: this.actuators.checked }) });
+    this.actuatorWords = html("label", { for: "actuators", class: "number" }, "Actuators");
+    this.settings = html("div", { class: "law-tools" }, this.domain.label, html("span", { class: "law-actuators" }, this.actuators, this.actuatorWords));
+    this.list = html("div", { role: "tabpanel", id: "laws-list", "aria-labelledby": "tab-laws-list", tabindex: 0 });
+    this.drawing = html("div", { role: "tabpanel", id: "laws-diagram", "aria-labelledby": "tab-laws-diagram", tabindex: 0 });
+    const tabs = html(
+      "div",
+      { role: "tablist", class: "sub", "aria-label": "Views of the flight control system" },
+      html("button", { role: "tab", id: "tab-laws-list", "data-tab": "list", "aria-controls": "laws-list" }, "Laws"),
+      html("button", { role: "tab", id: "tab-laws-diagram", "data-tab": "diagram", "aria-controls": "laws-diagram" }, "Block diagram"),
+    );
+    panel.replaceChildren(html("div", { class: "law-tools" }, this.switch, tabs), this.problem, this.list, this.drawing);
+    this.tabs = new Tabs(tabs);
+    this.diagram = new ControlDiagram(this.drawing, link);
+    link.on("laws", ({ laws }) => this.fill(laws));
+    link.on("control", (control) => this.show(control));
+    link.on("aircraft", (aircraft) => this.diagram.setAircraft(aircraft));
+  }
+
+  /** Another aircraft: gains of the one before would not fit it. */
+  fill(laws) {
+    if (!this.cards.size) {
+      for (const [name, words] of Object.entries(WORDS)) {
+        const law = laws.find((one) => one.name === name);
+        if (law) this.cards.set(name, new LawCard(law, words, (text) => this.engage(name, text)));
+      }
+      this.list.replaceChildren(this.settings, this.notes, ...[...this.cards.values()].map(({ element }) => element));
+    }
+    for (const card of this.cards.values()) card.forget();
+    this.last = namesOf(this.last).join("; ");
+    if (this.control) this.show(this.control);
+  }
+
+  show(control) {
+    this.control = control;
+    const parts = new Map(control.text.split(";").map((part) => [part.trim().split(" ")[0], part.trim()]));
+    const on = control.text !== NONE;
+    if (on) this.last = control.text;
+    if (!this.busy) {
+      for (const [name, card] of this.cards) {
+        const achieved = control.achieved.find(({ law }) => law === name);
+        const { sampled, frame } = control;
+        card.show(achieved ? { part: parts.get(name), gains: control.gains[name], achieved, sampled, frame } : null);
+      }
+    }
+    this.switch.textContent = on ? "Disengage" : "Engage";
+    this.switch.setAttribute("aria-pressed", on);
+    this.domain.select.value = control.sampled ? "z" : "s";
+    this.actuators.checked = control.actuators.on;
+    const { bandwidth, rate_limit, reason } = control.actuators;
+    this.actuatorWords.textContent = `Actuators, ${figure(bandwidth, 2)} rad/s, ${figure(degrees(rate_limit), 2)} deg/s`;
+    this.actuatorWords.title = `First order; bandwidth and rate limit are assumed: ${reason}`;
+    this.notes.replaceChildren(...control.notes.map((note) => html("li", {}, note)));
+    this.diagram.show(control);
+  }
+
+  /** One law flown as `text` says, or not at all; the others stay as they are. */
+  engage(name, text) {
+    return this.fly([...this.cards].map(([other, { part }]) => (other === name ? text : part)).filter(Boolean));
+  }
+
+  /** All on, as they were last, or all off. Resolves to a sentence that says which. */
+  async toggle() {
+    const off = this.control && this.control.text !== NONE;
+    const done = await this.fly(off ? [] : [this.last]);
+    if (!done) return this.problem.textContent;
+    return off ? "Control laws off: the stick moves the surfaces." : `Engaged: ${namesOf(this.last).map((name) => WORDS[name]?.title ?? name).join(", ")}.`;
+  }
+
+  /** The laws with a wish designed once more, in the domain that was chosen. */
+  again() {
+    return this.fly([...this.cards.values()].map((card) => card.part && card.again()).filter(Boolean));
+  }
+
+  fly(parts) {
+    const text = parts.join("; ") || NONE;
+    return this.say("law", { text, sampled: this.domain.select.value === "z" });
+  }
+
+  /** Sends a command; while one is under way the newest waits, so that a slider never floods the server. */
+  async say(name, fields) {
+    this.waiting = { name, fields };
+    if (this.busy) return true;
+    this.busy = true;
+    let done = true;
+    while (this.waiting) {
+      const asked = this.waiting;
+      this.waiting = null;
+      try {
+        await this.link.command(asked.name, asked.fields);
+        this.problem.textContent = "";
+        done = true;
+      } catch (error) {
+        this.problem.textContent = error.message;
+        done = false;
+      }
+    }
+    this.busy = false;
+    if (this.control) this.show(this.link.latest.get("control") ?? this.control);
+    return done;
+  }
+}
+
+const namesOf = (text) => text.split(";").map((part) => part.trim().split(" ")[0]);
