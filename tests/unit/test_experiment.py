@@ -1,4 +1,4 @@
-"""Experiments and aircraft files from outside: they reopen what flew, and no name in them leads to a file or to code."""
+"""Experiments and aircraft files from outside reopen what flew; no name in them leads to a file or to code."""
 
 import json
 from pathlib import Path

@@ -6,7 +6,7 @@ reads `Chart.as_dict()`.
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from fdes.analysis.drawing import COLORS, INK, LINES, Curve, Drawing, Note, Panel
@@ -55,7 +55,8 @@ class Chart:
 
     def as_dict(self) -> dict[str, Any]:
         """The chart as JSON has it."""
-        return asdict(self)
+        lines = [vars(line) for line in self.boundaries]
+        return {**vars(self), "x": vars(self.x), "y": vars(self.y), "boundaries": lines}
 
 
 def spaced(low: float, high: float, count: int = 41) -> tuple[float, ...]:

@@ -5,6 +5,8 @@ lambda decays if |R(h lambda)| <= 1, R being the method's stability function.
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
+from itertools import takewhile
 
 from fdes.analysis.modes import Mode
 from fdes.physics.runge_kutta import Tableau, stability_function
@@ -22,12 +24,19 @@ def step_limit(method: Tableau | ExactHold, modes: Sequence[Mode]) -> tuple[floa
     """
     if isinstance(method, ExactHold):
         return None
-    limits = [(h, mode) for mode in modes if mode.eigenvalue.real < 0.0 and (h := _limit(method, mode.eigenvalue))]
-    return min(limits, key=lambda found: found[0], default=None)
+    found: tuple[float, Mode] | None = None
+    for mode in sorted(modes, key=lambda each: -abs(each.eigenvalue)):  # the fastest first: it is likely to be the one
+        if mode.eigenvalue.real < 0.0:
+            h = _limit(method, mode.eigenvalue, found[0] if found else COARSEST)
+            found = found if h is None or (found and found[0] <= h) else (h, mode)
+    return found
 
 
-def _limit(method: Tableau, eigenvalue: complex) -> float | None:
-    """The first step at which |R| exceeds one, by walking outward in steps of the mode's own time and then halving."""
+@lru_cache(maxsize=256)  # with each edit of an aircraft most of its modes stay
+def _limit(method: Tableau, eigenvalue: complex, highest: float) -> float | None:
+    """The first step up to about `highest` at which |R| exceeds one, walking outward in steps of the mode's time and
+    then halving.
+    """
     unit = 1.0 / abs(eigenvalue)
     if unit > COARSEST:
         return None
@@ -35,7 +44,8 @@ def _limit(method: Tableau, eigenvalue: complex) -> float | None:
     def grows(h: float) -> bool:
         return abs(stability_function(method, h * eigenvalue)) > 1.0
 
-    outside = next((k * unit * 0.02 for k in range(1, GRID) if grows(k * unit * 0.02)), None)
+    walk = takewhile(lambda h: h <= highest + 0.02 * unit, (k * unit * 0.02 for k in range(1, GRID)))
+    outside = next(filter(grows, walk), None)
     if outside is None:
         return None
     low, high = outside - 0.02 * unit, outside

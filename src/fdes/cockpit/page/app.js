@@ -19,6 +19,7 @@ import { StripChart } from "./strip_chart.js";
 import { Tabs } from "./tabs.js";
 import { Theme } from "./theme.js";
 import { TopBar, sayState } from "./top_bar.js";
+import { ViewBar } from "./view_bar.js";
 
 const query = new URLSearchParams(location.search);
 const theme = new Theme(query.get("theme"));
@@ -36,12 +37,14 @@ const cockpit = new Cockpit(
     theme,
     worldCanvas: byId("world"),
     hudCanvas: byId("hud"),
+    figures: byId("outside-figures"),
     instrumentCanvas: byId("instruments"),
     chartCanvas: byId("chart"),
   },
   { worldKind: query.get("world") ?? "auto", look: query.get("look") },
 );
 const topBar = new TopBar(link, cockpit, stick);
+const views = new ViewBar(byId("views"), cockpit, (words) => topBar.complain(words));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
@@ -52,6 +55,7 @@ const chooser = new SignalChooser(byId("chooser"), chart);
 let laboratory = null; // what few open on their first visit is fetched when it is opened
 const tabs = new Tabs(byId("tabs"), (tab) => {
   if (tab === "recordings") recordings.refresh();
+  if (tab === "aircraft" && link.latest.has("aircraft")) drawSheet(byId("panel-aircraft"), link.latest.get("aircraft"));
   if (tab === "stability") laboratory ??= openLaboratory();
   if (tab === "control") openFlightControl();
 });
@@ -126,6 +130,7 @@ const actions = {
   reset,
   step: () => command("step"),
   record: () => command("record", { value: !link.has(FLAG.recording) }),
+  view: () => views.next(),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
   theme: () => theme.toggle(),
   law: async () => topBar.say(await (await openFlightControl()).toggle()),
@@ -188,7 +193,7 @@ link.on("aircraft", (aircraft) => {
   picker.setCurrent(aircraft);
   inputs.show(aircraft);
   modes.showStatic(aircraft.static);
-  drawSheet(byId("panel-aircraft"), aircraft);
+  if (tabs.shown === "aircraft") drawSheet(byId("panel-aircraft"), aircraft);
 });
 link.on("modes", (message) => modes.show(message.modes, message.bare));
 link.on("knobs", () => modes.clearTrail()); // another aircraft
@@ -229,6 +234,7 @@ setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.
 /** For tests and for the curious. */
 window.fdes = {
   link,
+  cockpit,
   stick,
   chart,
   panel,
