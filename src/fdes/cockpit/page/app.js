@@ -19,7 +19,6 @@ import { StripChart } from "./strip_chart.js";
 import { Tabs } from "./tabs.js";
 import { Theme } from "./theme.js";
 import { TopBar, sayState } from "./top_bar.js";
-import { ViewBar } from "./view_bar.js";
 
 const query = new URLSearchParams(location.search);
 const theme = new Theme(query.get("theme"));
@@ -37,14 +36,12 @@ const cockpit = new Cockpit(
     theme,
     worldCanvas: byId("world"),
     hudCanvas: byId("hud"),
-    figures: byId("outside-figures"),
     instrumentCanvas: byId("instruments"),
     chartCanvas: byId("chart"),
   },
   { worldKind: query.get("world") ?? "auto", look: query.get("look") },
 );
 const topBar = new TopBar(link, cockpit, stick);
-const views = new ViewBar(byId("views"), cockpit, (words) => topBar.complain(words));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
@@ -130,7 +127,6 @@ const actions = {
   reset,
   step: () => command("step"),
   record: () => command("record", { value: !link.has(FLAG.recording) }),
-  view: () => views.next(),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
   theme: () => theme.toggle(),
   law: async () => topBar.say(await (await openFlightControl()).toggle()),
@@ -234,7 +230,6 @@ setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.
 /** For tests and for the curious. */
 window.fdes = {
   link,
-  cockpit,
   stick,
   chart,
   panel,
