@@ -194,6 +194,7 @@ def _briefing(condition: FlightCondition, form: str, integrator: str, step: floa
         "integrator": integrator,
         "dt": step,
         "mass_kg": ref.m,
+        "size": {"span": ref.b, "chord": ref.c, "area": ref.S},
         "V": ref.V,
         "mach": ref.mach,
         "h": height,

@@ -1,6 +1,6 @@
 /**
- * The eye: at the aircraft, looking along the body x axis. Both worlds and the head-up display take their geometry
- * from here, so that a symbol drawn over the horizon lies on the horizon.
+ * The eye: at the aircraft, looking along the body x axis, or outside it (outside_view.js). Both worlds and the head-up
+ * display take their geometry from here, so that a symbol drawn over the horizon lies on the horizon.
  *
  * Screen: x right, y down [px]. A direction (x, y, z) in body axes (forward, right, down) appears at
  * (cx + f y/x, cy + f z/x).
@@ -10,12 +10,12 @@ const FIELD_OF_VIEW = 0.7; // rad, top to bottom
 const LIFT = 0.06; // share of the height by which the center sits above the middle: more ground, less sky
 const LOWEST_EYE = 2.5; // m: on the ground the eye is still above it
 
-/** The camera for a picture of `width` by `height` [px] from an aircraft in `state`. */
-export function camera(width, height, state) {
+/** The camera for a picture of `width` by `height` [px] from an aircraft in `state`; `field` [rad] from top to bottom. */
+export function camera(width, height, state, field = FIELD_OF_VIEW) {
   return {
     width,
     height,
-    f: height / 2 / Math.tan(FIELD_OF_VIEW / 2),
+    f: height / 2 / Math.tan(field / 2),
     cx: width / 2,
     cy: height * (0.5 - LIFT),
     lift: LIFT,

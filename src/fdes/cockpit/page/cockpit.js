@@ -10,11 +10,13 @@ import { FrameClock, carryForward } from "./motion.js";
 import { Resolution } from "./resolution.js";
 import { makeWorld } from "./world.js";
 
+export const VIEWS = ["cockpit", "chase", "tower"];
+
 const KEPT = 3000; // latencies remembered
 const CHART_EVERY = 2; // frames: 30 pictures a second are smooth enough for a moving chart
 
 export class Cockpit {
-  /** `parts`: canvases world, hud, instruments, chart; and the link, stick, panel, chart, theme. */
+  /** `parts`: canvases world, hud, instruments, chart; the element figures; and the link, stick, panel, chart, theme. */
   constructor(parts, { worldKind = "auto", look = null } = {}) {
     Object.assign(this, parts);
     this.worldKind = worldKind;
@@ -22,6 +24,10 @@ export class Cockpit {
     this.flying = false; // whether the stick is sent: not by an observer, nor before the lever stands where it belongs
     this.clock = new FrameClock();
     this.hud = new Hud(parts.hudCanvas);
+    this.world = null;
+    this.view = VIEWS[0];
+    this.outside = null; // an OutsideView, when one has been asked for
+    this.beside = null; // the state of a ghost
     this.drawn = {};
     this.stats = { frames: 0, firstFrameAt: null, latencies: [], world: "", scale: 1 };
     this.lastEcho = 0;
@@ -31,16 +37,41 @@ export class Cockpit {
     const watch = new ResizeObserver(() => (this.resized = true));
     for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) watch.observe(canvas);
     this.link.on("frame", (link) => this.receive(link));
+    this.link.on("aircraft", (aircraft) => {
+      this.aircraft = aircraft;
+      this.outside?.setAircraft(aircraft);
+    });
     this.onFrame = () => {};
     this.useWorld(worldKind);
   }
 
-  useWorld(kind) {
-    this.world = makeWorld(this.worldCanvas, kind, () => this.useWorld("canvas2d"));
-    this.worldCanvas = this.world.canvas;
+  async useWorld(kind) {
+    const world = await makeWorld(this.worldCanvas, kind, () => this.useWorld("canvas2d"));
+    this.world = world;
+    this.worldCanvas = world.canvas;
     this.stats.world = this.world.constructor.kind;
     this.resolution = new Resolution(this.world.constructor.leastScale);
     this.resized = true;
+  }
+
+  /** From where one looks: "cockpit", "chase" (from behind) or "tower" (from beside the runway). */
+  async setView(view) {
+    if (view !== "cockpit") await this.needOutside();
+    this.view = view;
+    this.figures.hidden = view === "cockpit";
+  }
+
+  /** A translucent aircraft flies beside the own one in `state` (north, east, h, phi, theta, psi, surfaces; SI), or none. */
+  async ghost(state) {
+    if (state) await this.needOutside();
+    this.beside = state;
+  }
+
+  async needOutside() {
+    const { OutsideView } = await import("./outside_view.js");
+    if (this.outside) return;
+    this.outside = new OutsideView(this.hudCanvas, this.chart, this.figures);
+    this.outside.setAircraft(this.aircraft);
   }
 
   start() {
@@ -70,7 +101,7 @@ export class Cockpit {
   frame(now) {
     this.held = this.stick.read(now);
     if (this.flying) this.link.sendStick(this.held, now);
-    if (!this.link.frames) return;
+    if (!this.link.frames || !this.world) return;
     if (this.resized) this.resize();
     this.draw(now);
     this.count(now);
@@ -85,9 +116,17 @@ export class Cockpit {
 
     const ratio = devicePixelRatio;
     this.world.look = this.fixedLook ?? "day";
-    const cam = camera(this.hudCanvas.width / ratio, this.hudCanvas.height / ratio, drawn);
+    const size = [this.hudCanvas.width / ratio, this.hudCanvas.height / ratio];
+    const { outside, view } = this;
+    const cam = view === "cockpit" ? camera(...size, drawn) : outside.camera(view, ...size, drawn, now);
     this.world.draw(cam);
-    this.hud.draw(drawn, cam, link.t, this.words(), ratio);
+    if (view === "cockpit") {
+      this.hud.draw(drawn, cam, link.t, this.words(), ratio);
+      if (this.beside) outside.drawGhost(this.beside, cam, ratio);
+    } else {
+      this.hud.rememberLoad(drawn.n_z, link.t);
+      outside.draw(view, drawn, cam, this.beside, now, ratio, this.words());
+    }
     this.panel.draw(drawn, ratio);
     if (this.stats.frames % CHART_EVERY === 0) this.chart.draw(this.theme.colors, ratio);
     drawn.hudHorizon = this.hud.horizon;

@@ -1,5 +1,6 @@
 /**
- * A small three-view of an aircraft from a dozen proportions: enough to recognize it, not a drawing to measure from.
+ * The proportions of known aircraft, and a small three-view made of them: enough to recognize it, not a drawing to
+ * measure from. What is not known here is made from span, area and chord.
  * Lengths in meters from the nose; `sweep` is how far the tip's leading edge lies behind the root's.
  */
 
@@ -73,22 +74,45 @@ const SHAPES = {
 
 const SMALLER = 0.62; // the view from ahead is less wide than the others, to leave them room
 
-/** A shape from span and length alone, for an aircraft without proportions of its own. */
-function plain({ span = 12, length = 12 } = {}) {
-  const chord = span * 0.17;
+/**
+ * The proportions of an aircraft: those known of type `id`, else made from its `size`, { span, area, chord, mach } as
+ * far as they are given [m, m^2, m, 1].
+ */
+export function proportions(id, size) {
+  return SHAPES[id] ?? plain(size ?? {});
+}
+
+function plain({ span = 12, area = 0.17 * span * span, chord = area / span, mach = 0 }) {
+  const taper = taperOf((chord * span) / area);
+  const root = (2 * area) / (span * (1 + taper));
+  const swept = Math.acos(Math.min(1, 0.62 / Math.max(mach, 0.1))); // as if the wing met no more than Mach 0.62
+  const sweep = Math.min((span / 2) * Math.tan(Math.min(swept, 0.8)) + 0.25 * root * (1 - taper), 1.2 * span);
+  const length = Math.max(0.65 * span + 2.6 * chord, 0.45 * span + root);
+  const tail = { span: span * 0.36, root: root * 0.55, tip: root * (0.2 + 0.2 * taper), sweep: sweep * 0.36 };
+  const fin = { height: length * 0.14, root: root * 0.7, tip: root * 0.35, sweep: Math.max(sweep * 0.4, root * 0.3) };
   return {
     length,
     span,
     body: length * 0.1,
-    wing: { at: length * 0.33, root: chord, tip: chord * 0.5, sweep: chord * 0.5, low: true },
-    tail: { at: length * 0.85, span: span * 0.36, root: chord * 0.6, tip: chord * 0.35, sweep: chord * 0.3 },
-    fin: { at: length * 0.82, height: length * 0.14, root: chord * 0.8, tip: chord * 0.4, sweep: chord * 0.4 },
+    wing: { at: length * 0.42 - 0.25 * root - 0.35 * sweep, root, tip: root * taper, sweep, low: true },
+    tail: { at: length * 0.99 - tail.root - 0.2 * tail.sweep, ...tail },
+    fin: { at: length * 0.97 - fin.root, ...fin },
+    canopy: span < 18 ? length * 0.26 : undefined,
   };
 }
 
-/** An SVG three-view: from above, from the side, from ahead. `given`: { span, length } [m] of the server, or null. */
+/**
+ * Taper ratio l of a trapezoidal wing whose mean aerodynamic chord is `k` mean geometric ones:
+ * k = 4/3 (1 + l + l^2) / (1 + l)^2, which runs from 1 (l = 1) to 4/3 (l = 0).
+ */
+function taperOf(k) {
+  const m = 1 - 0.75 * Math.max(1, Math.min(1.32, k));
+  return Math.min(1, (1 - 2 * m - Math.sqrt(Math.max(0, 1 - 4 * m))) / (2 * m));
+}
+
+/** An SVG three-view: from above, from the side, from ahead. `given`: the size that the server tells, or null. */
 export function threeView(id, given) {
-  const shape = SHAPES[id] ?? plain(given ?? undefined);
+  const shape = proportions(id, given);
   const gap = 0.14 * shape.length;
   const high = shape.fin.height + shape.body;
   const wide = shape.length + gap + shape.span * SMALLER;

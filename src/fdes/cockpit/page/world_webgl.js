@@ -11,23 +11,12 @@ const HIGHEST_HILL = 0.04; // rad: the texture's 255
 const CELLS_AROUND = 4;
 const NOISE = 256; // texels along each side
 
-/** Whether WebGL is drawn by the processor: software looks available, but manages a few pictures a second. */
-export function isSoftwareRendered() {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return true;
-  const info = gl.getExtension("WEBGL_debug_renderer_info");
-  const renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
-}
-
 export class WebglWorld {
   static kind = "webgl";
   static leastScale = 0.35;
 
-  /** Throws where there is no WebGL 2. */
-  constructor(canvas) {
-    const frugal = isSoftwareRendered(); // WebGL was insisted on: with rough edges and few trees it moves
+  /** Throws where there is no WebGL 2. A `frugal` one has rough edges and few trees: so it moves without a GPU. */
+  constructor(canvas, frugal) {
     const gl = canvas.getContext("webgl2", { antialias: !frugal, alpha: false, powerPreference: "high-performance" });
     if (!gl) throw new Error("This browser has no WebGL 2.");
     Object.assign(this, { canvas, gl, frugal, look: "day", horizon: { y: NaN, tilt: NaN }, cell: null });

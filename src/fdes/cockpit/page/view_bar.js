@@ -1,0 +1,40 @@
+/** Which view is shown: three buttons over the world, and the key V. */
+
+import { VIEWS } from "./cockpit.js";
+import { html } from "./dom.js";
+
+const SAYS = {
+  cockpit: "From the pilot's seat, with the head-up display",
+  chase: "From behind, following the path",
+  tower: "From beside the runway, zoomed in",
+};
+
+export class ViewBar {
+  constructor(bar, cockpit, complain) {
+    Object.assign(this, { cockpit, complain });
+    this.buttons = VIEWS.map((view) =>
+      html("button", { title: `${SAYS[view]} (V: next view)`, "aria-pressed": "false", onclick: () => this.show(view) }, name(view)),
+    );
+    bar.prepend(...this.buttons);
+    this.mark();
+  }
+
+  next() {
+    return this.show(VIEWS[(VIEWS.indexOf(this.cockpit.view) + 1) % VIEWS.length]);
+  }
+
+  async show(view) {
+    try {
+      await this.cockpit.setView(view);
+    } catch (error) {
+      this.complain(`The ${view} view could not be fetched. ${error.message}`);
+    }
+    this.mark();
+  }
+
+  mark() {
+    VIEWS.forEach((view, i) => this.buttons[i].setAttribute("aria-pressed", view === this.cockpit.view));
+  }
+}
+
+const name = (view) => view[0].toUpperCase() + view.slice(1);
