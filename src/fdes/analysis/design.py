@@ -19,6 +19,7 @@ from fdes.analysis.modes import modes
 from fdes.analysis.placement import Quantity, followed_root, measure, nearest_root, one_gain, stable, two_gains
 from fdes.control import Law, LinearModel
 from fdes.control.laws.direct import Direct
+from fdes.control.laws.sensors import Sensors
 from fdes.control.spoken import WISHES, Loop, loops, units_of
 from fdes.errors import SpecError
 from fdes.physics.derivatives import Form
@@ -147,7 +148,7 @@ def _close_loop(loop: Loop, inner: Law, condition: FlightCondition, form: Form, 
         return close(condition, made(**gains), dt, form=form)
 
     if rule is None:
-        return _Closed(made(), settings, None, 0j, [])
+        return _Closed(made(), _all_settings(loop, settings, {}), None, 0j, _notes(made()))
     zero = dict.fromkeys(rule.gains, 0.0)
     without = closed(**zero)
     begin = _root_of(without, rule.mode)
@@ -262,6 +263,13 @@ def _fair(mode: str, quantity: Quantity, has: float) -> float:
         least = 0.7 if mode == "short_period" else 0.4
         return min(max(least, 1.5 * has), 0.95)
     return min(20.0 if mode == "spiral" else 1.0, 0.5 * has)
+
+
+def _notes(law: Law) -> list[str]:
+    """What should be known of a law that is not designed."""
+    if isinstance(law, Sensors) and not law.measured:
+        return ["sensors: the laws said before it measure nothing. Say it last, and it delays what they measure."]
+    return []
 
 
 def _wishes(loop: Loop, rule: Rule) -> Mapping[str, float]:

@@ -30,6 +30,20 @@ class StateSpace(NamedTuple):
     D: float
 
 
+def series(first: StateSpace, second: StateSpace) -> StateSpace:
+    """The second block of what the first makes of the input; the states of the first, then of the second."""
+    n, k = len(first.A), len(second.A)
+    A = np.block([[first.A, np.zeros((n, k))], [np.outer(second.B, first.C), second.A]])
+    B = np.concatenate([first.B, second.B * first.D])
+    return StateSpace(A, B, np.concatenate([second.D * first.C, second.C]), second.D * first.D)
+
+
+class Past(tuple[float, ...]):
+    """Inputs of the past, the newest first: a memory that fills up, and is as long as its delay needs."""
+
+    __slots__ = ()
+
+
 class Block(Protocol):
     """What a block offers. `dt` [s] is the length of a frame."""
 
@@ -204,17 +218,17 @@ class Delay:
         if not (isfinite(self.time) and self.time >= 0.0):
             raise SpecError(f"The delay is {self.time:g} s; it must be zero or more, such as 0.02 s.")
 
-    def start(self, u: float) -> tuple[float, ...]:
+    def start(self, u: float) -> Past:
         """It has always been `u`."""
-        return (u,)
+        return Past((u,))
 
-    def step(self, u: float, memory: tuple[float, ...], dt: float) -> tuple[float, tuple[float, ...]]:
+    def step(self, u: float, memory: Past, dt: float) -> tuple[float, Past]:
         """The late input. The memory holds past inputs, the newest first; before the oldest, nothing had changed."""
         whole, part = self._frames(dt)
         past = (u, *memory)
         last = len(past) - 1
         late, later = past[min(whole, last)], past[min(whole + 1, last)]
-        return late + part * (later - late), past[: self.length(dt)]
+        return late + part * (later - late), Past(past[: self.length(dt)])
 
     def length(self, dt: float) -> int:
         """How many past inputs are remembered in frames of `dt` [s]."""

@@ -12,6 +12,7 @@ import numpy as np
 
 from fdes import __version__
 from fdes.control import Stick
+from fdes.control.blocks import Past
 from fdes.errors import Departed, RecordingError
 from fdes.flight.recorder import ENGINE, columns_of, row_of
 from fdes.flight.recording import Recording
@@ -174,6 +175,8 @@ def _like(pattern: Record, values: Any) -> Record:
     """Plain numbers and lists, as JSON has them, in the tuples of `pattern`."""
     if not isinstance(pattern, tuple):
         return values  # type: ignore[no-any-return]  # a number, or None
+    if isinstance(pattern, Past):
+        return Past(values)  # type: ignore[return-value]
     parts = [_like(part, value) for part, value in zip(pattern, values, strict=True)]
     return type(pattern)(*parts) if hasattr(pattern, "_fields") else tuple(parts)  # type: ignore[return-value]
 
@@ -182,7 +185,11 @@ def _same_shape(pattern: Any, values: Any) -> bool:
     """Whether `values` can be put into `pattern`: another law remembers other things."""
     if not isinstance(pattern, tuple):
         return not isinstance(values, list | tuple) and (pattern is None) == (values is None)
-    if not isinstance(values, list | tuple) or len(pattern) != len(values):
+    if not isinstance(values, list | tuple):
+        return False
+    if isinstance(pattern, Past):  # which fills up in flight
+        return not any(isinstance(value, list | tuple) or value is None for value in values)
+    if len(pattern) != len(values):
         return False
     return all(map(_same_shape, pattern, values))
 
