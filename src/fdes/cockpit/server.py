@@ -63,6 +63,10 @@ class Site:
         """An instrument."""
         return self._instruments.respond(request, request.path_params["name"])
 
+    async def instruments(self, request: Request) -> Response:
+        """The names of the instruments on the shelf."""
+        return JSONResponse(sorted(path.stem for path in (HERE / "instruments").glob("*.js")))
+
     async def version(self, request: Request) -> Response:
         """The version of FDES and of the wire."""
         return JSONResponse({"fdes": __version__, "wire": wire.VERSION})
@@ -77,7 +81,7 @@ class Site:
         if self._listing is None or self._listing.done():
             self._listing = asyncio.ensure_future(asyncio.to_thread(list_recordings, self._cabins.recordings))
         listed = await asyncio.shield(self._listing)
-        said = ("aircraft", "condition", "started")
+        said = ("aircraft", "condition", "started", "what_if")
         return JSONResponse(
             [
                 {"name": r.name, **{k: r.header.get(k) for k in said}, "seconds": round(r.seconds, 2), "bytes": r.bytes}
@@ -172,6 +176,7 @@ def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
             Route("/", site.index),
             Route("/page/{name:path}", site.page),
             Route("/instruments/{name:path}", site.instrument),
+            Route("/api/instruments", site.instruments),
             Route("/api/version", site.version),
             Route("/api/aircraft", site.aircraft),
             Route("/api/recordings", site.recordings),

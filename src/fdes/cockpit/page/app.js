@@ -6,7 +6,7 @@ import { Cockpit } from "./cockpit.js";
 import { byId } from "./dom.js";
 import { fillHelp } from "./help.js";
 import { InputsPanel } from "./inputs.js";
-import { InstrumentPanel, SIX } from "./instrument_panel.js";
+import { InstrumentPanel } from "./instrument_panel.js";
 import { Levels } from "./levels.js";
 import { listenToKeys } from "./keys.js";
 import { FLAG, Link } from "./link.js";
@@ -19,13 +19,14 @@ import { StripChart } from "./strip_chart.js";
 import { Tabs } from "./tabs.js";
 import { Theme } from "./theme.js";
 import { TopBar, sayState } from "./top_bar.js";
+import { ViewBar } from "./view_bar.js";
 
 const query = new URLSearchParams(location.search);
 const theme = new Theme(query.get("theme"));
 const link = new Link(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${sessionName()}`);
 const stick = new StickInput();
 const chart = new StripChart(byId("chart"));
-const panel = await InstrumentPanel.load(byId("instruments"), query.get("instruments")?.split(",") ?? SIX);
+const panel = await InstrumentPanel.load(byId("instruments"), query.get("instruments")?.split(",").filter(Boolean));
 
 const cockpit = new Cockpit(
   {
@@ -36,12 +37,14 @@ const cockpit = new Cockpit(
     theme,
     worldCanvas: byId("world"),
     hudCanvas: byId("hud"),
+    figures: byId("outside-figures"),
     instrumentCanvas: byId("instruments"),
     chartCanvas: byId("chart"),
   },
   { worldKind: query.get("world") ?? "auto", look: query.get("look") },
 );
 const topBar = new TopBar(link, cockpit, stick);
+const views = new ViewBar(byId("views"), cockpit, (words) => topBar.complain(words));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
@@ -127,6 +130,8 @@ const actions = {
   reset,
   step: () => command("step"),
   record: () => command("record", { value: !link.has(FLAG.recording) }),
+  view: () => views.next(),
+  instruments: () => views.chooseInstruments(),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
   theme: () => theme.toggle(),
   law: async () => topBar.say(await (await openFlightControl()).toggle()),
@@ -230,6 +235,7 @@ setInterval(() => link.frames && (byId("spoken").textContent = sayState(cockpit.
 /** For tests and for the curious. */
 window.fdes = {
   link,
+  cockpit,
   stick,
   chart,
   panel,

@@ -4,7 +4,7 @@
  *
  * An instrument is a module instruments/NAME.js that exports `title`, `needs` (names of Outputs), optionally
  * `face(dial, start)` and `draw(dial, outputs, start)`. `start` holds the outputs first seen of this flight; its field
- * `trimmed` tells whether they are those of trim.
+ * `trimmed` tells whether they are those of trim. What an instrument must remember of a flight it may add to `start`.
  */
 
 import { Dial, GREY } from "./dial.js";
@@ -13,21 +13,44 @@ export const SIX = ["airspeed", "attitude", "altimeter", "turn_coordinator", "he
 
 const MARGIN = 3; // CSS px around each instrument
 
+const KEY = "fdes.instruments";
+
 export class InstrumentPanel {
-  constructor(canvas, instruments) {
+  constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
-    this.instruments = instruments;
+    this.names = [];
+    this.instruments = [];
     this.faces = new Map();
     this.key = "";
     this.start = {};
-    canvas.setAttribute("aria-label", `Instruments: ${instruments.map(({ title }) => title).join(", ")}`);
   }
 
-  /** Loads the named instruments from the shelf; one that fails is named in the error. */
-  static async load(canvas, names = SIX) {
-    const modules = await Promise.all(names.map((name) => import(`../instruments/${name}.js`)));
-    return new InstrumentPanel(canvas, modules);
+  /** The panel with the instruments `asked` for, else those remembered, else the six; a missing one is left out. */
+  static async load(canvas, asked) {
+    const panel = new InstrumentPanel(canvas);
+    await panel.use(asked ?? remembered() ?? SIX);
+    return panel;
+  }
+
+  /** Shows the instruments of the shelf with these names, in this order. With none the world has their room too. */
+  async use(names) {
+    const wanted = (this.wanted = [...names]);
+    const found = await Promise.allSettled(wanted.map((name) => import(`../instruments/${name}.js`)));
+    if (this.wanted !== wanted) return; // another choice was made meanwhile
+    this.names = wanted.filter((_, i) => found[i].status === "fulfilled");
+    this.instruments = found.filter(({ status }) => status === "fulfilled").map(({ value }) => value);
+    this.faces.clear();
+    this.canvas.setAttribute("aria-label", `Instruments: ${this.instruments.map(({ title }) => title).join(", ")}`);
+    document.querySelector("main").classList.toggle("without-instruments", this.names.length === 0);
+  }
+
+  remember() {
+    try {
+      localStorage.setItem(KEY, JSON.stringify(this.names));
+    } catch {
+      return; // storage may be forbidden: the choice then lasts as long as the page
+    }
   }
 
   /** Tells the instruments how the flight began: their scales fit that, and their bugs stand there. */
@@ -38,6 +61,7 @@ export class InstrumentPanel {
 
   draw(outputs, pixelRatio) {
     const { canvas, context, instruments } = this;
+    if (!instruments.length) return;
     const wide = canvas.width / instruments.length;
     const radius = Math.floor(Math.min(wide, canvas.height) / 2 - MARGIN * pixelRatio);
     if (radius < 10) return;
@@ -74,5 +98,14 @@ export class InstrumentPanel {
       this.faces.set(name, canvas);
     }
     return this.faces.get(name);
+  }
+}
+
+function remembered() {
+  try {
+    const names = JSON.parse(localStorage.getItem(KEY));
+    return Array.isArray(names) && names.every((name) => /^\w+$/.test(name)) ? names : null;
+  } catch {
+    return null;
   }
 }

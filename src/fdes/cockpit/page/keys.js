@@ -8,6 +8,7 @@ export const KEYS = [
   { keys: ["."], action: "step", does: "One time step, then freeze" },
   { keys: ["C"], action: "record", does: "Start or end a recording" },
   { keys: ["V"], action: "view", does: "View: cockpit, chase, tower" },
+  { keys: ["I"], action: "instruments", does: "Choose the instruments" },
   { keys: ["H"], action: "hud", does: "Head-up display: full, declutter, off" },
   { keys: ["L"], action: "law", does: "Control laws on, off" },
   { keys: ["T"], action: "theme", does: "Dark, light" },

@@ -1,4 +1,4 @@
-/** Which view is shown: three buttons over the world, and the key V. */
+/** Over the world: which view is shown, by three buttons or the key V, and a way to the choice of instruments. */
 
 import { VIEWS } from "./cockpit.js";
 import { html } from "./dom.js";
@@ -15,8 +15,21 @@ export class ViewBar {
     this.buttons = VIEWS.map((view) =>
       html("button", { title: `${SAYS[view]} (V: next view)`, "aria-pressed": "false", onclick: () => this.show(view) }, name(view)),
     );
-    bar.prepend(...this.buttons);
+    bar.append(
+      ...this.buttons,
+      html("button", { title: "Choose the instruments (I)", "aria-haspopup": "dialog", onclick: () => this.chooseInstruments() }, "Instruments"),
+    );
     this.mark();
+  }
+
+  async chooseInstruments() {
+    try {
+      const { IndicatorChooser } = await import("./indicators.js");
+      this.chooser ??= new IndicatorChooser(this.cockpit.panel);
+      await this.chooser.open();
+    } catch (error) {
+      this.complain(`The instruments could not be listed. ${error.message}`);
+    }
   }
 
   next() {
