@@ -1,13 +1,15 @@
 """`fdes aircraft`: what can be flown, and where every number of it is from."""
 
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
-from fdes.cli.options import AircraftName, AsJson, ConditionName, VariantName
+from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
 from fdes.cli.output import number, print_json, screen, table
+from fdes.errors import SpecError
 from fdes.units import DEG
 
 if TYPE_CHECKING:
@@ -65,17 +67,17 @@ def show(
     from fdes.aircraft import load
     from fdes.analysis.trim_alpha import dutch_roll_by_trim_alpha
 
-    chosen = load(aircraft)
-    ready = chosen.at(condition, variant)
+    found = load(aircraft)
+    ready = found.at(condition, variant)
     if json:
         depends = {"dutch_roll_by_trim_alpha": [at._asdict() for at in dutch_roll_by_trim_alpha(ready)]}
-        print_json(_picture(chosen) | _numbers(ready) | depends | {"sources": dict(chosen.sources)})
+        print_json(_picture(found) | _numbers(ready) | depends | {"sources": dict(found.sources)})
         return
     page = screen()
-    page.print(f"{chosen.name} ({chosen.id})", style="bold")
-    page.print(chosen.summary)
-    page.print(f"Also called {', '.join(chosen.aliases)}\n" if chosen.aliases else "")
-    page.print(_named([(f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in chosen.conditions]))
+    page.print(f"{found.name} ({found.id})", style="bold")
+    page.print(found.summary)
+    page.print(f"Also called {', '.join(found.aliases)}\n" if found.aliases else "")
+    page.print(_named([(f"{c.id}{' <' * (c.id == ready.condition)}", c.name) for c in found.conditions]))
     page.print(_number_table(ready))
     if by_alpha := dutch_roll_by_trim_alpha(ready):
         page.print(_dutch_roll_table(by_alpha))
@@ -84,11 +86,32 @@ def show(
         ("Corrections", _corrections(ready)),
         ("ASSUMED: no source gives these", assumed),
         ("Notes", _notes(ready)),
-        ("Sources", [*chosen.sources.items()]),
+        ("Sources", [*found.sources.items()]),
     ):
         if rows:
             page.print(title, style="bold")
             page.print(_named(rows))
+
+
+@app.command(epilog="Example: fdes aircraft save A-4D slack.toml --set Cm_q*=0.5")
+def save(
+    aircraft: AircraftName,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="The file to write, NAME.toml.")],
+    condition: ConditionName = None,
+    variant: VariantName = "corrected",
+    changes: Changes = None,
+) -> None:
+    """Write a flight condition with its changes as an aircraft file that flies the same, printed values kept."""
+    from fdes.aircraft.save import as_toml
+
+    text = as_toml(chosen(aircraft, condition, variant, changes))
+    if file.suffix != ".toml":
+        raise SpecError(f"{file} does not end in .toml, by which an aircraft file is known. Name it {file.stem}.toml.")
+    try:
+        file.write_text(text, encoding="utf-8")
+    except OSError as trouble:
+        raise SpecError(f"{file} cannot be written: {trouble.strerror or trouble}.") from trouble
+    screen().print(f"{file} is written. Fly it: fdes fly ./{file.name}", soft_wrap=True)
 
 
 def _picture(aircraft: "Aircraft") -> dict[str, Any]:
