@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import re
+from collections.abc import Coroutine
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from fdes import __version__
 from fdes.cockpit import commands, wire
 from fdes.cockpit.answers import Question, answer
+from fdes.cockpit.at_once import obey_at_once
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import excite
 from fdes.cockpit.experiment import experiment_of, opened
@@ -17,6 +19,7 @@ from fdes.cockpit.fleet import Fleet, craft_of
 from fdes.cockpit.history import History
 from fdes.cockpit.hub import RATE, Hub, percentiles
 from fdes.cockpit.laboratory import Editing, laboratory, ready, wanted
+from fdes.cockpit.reflights import Reflights
 from fdes.cockpit.replay import replay_of
 from fdes.cockpit.session import EVERY_MOVING, Session
 from fdes.cockpit.viewer import Viewer
@@ -64,6 +67,7 @@ class Cabins:
         self.may_delete = True
         self._nobody = asyncio.Event()
         self._nobody.set()
+        self._reflights = Reflights()
         self._background: set[asyncio.Task[None]] = set()
 
     def open(self) -> None:
@@ -150,12 +154,10 @@ class Cabins:
                 await self._edit(cabin, command)
             case commands.PutIn() | commands.PutInHistory() | commands.Hold():
                 self._excite(cabin, command)
-            case commands.Delete(recording):
-                await asyncio.to_thread(self._delete, recording)
-            case commands.PlayBack(recording):
-                await asyncio.to_thread(self._play, session, recording)
+            case commands.Delete() | commands.WhatIf() | commands.PlayBack():
+                await self._with_recording(cabin, command)
             case _:
-                _obey_at_once(session, command)
+                obey_at_once(session, command)
         return {}
 
     async def _fly(self, cabin: Cabin, command: Choosing) -> None:
@@ -250,14 +252,42 @@ class Cabins:
         """Do `work`, which waits for a disk, in a thread. What goes wrong is the session's notice."""
 
         async def quietly() -> None:
-            try:
+            with contextlib.suppress(FdesError):
                 await asyncio.to_thread(work)
-            except FdesError:
-                return
 
-        task = self._loop.create_task(quietly())
+        self._begin(quietly())
+
+    def _begin(self, work: Coroutine[Any, Any, None]) -> None:
+        task = self._loop.create_task(work)
         self._background.add(task)
         task.add_done_callback(self._background.discard)
+
+    async def _with_recording(
+        self, cabin: Cabin, command: commands.Delete | commands.WhatIf | commands.PlayBack
+    ) -> None:
+        match command:
+            case commands.Delete(name):
+                await asyncio.to_thread(self._delete, name)
+            case commands.PlayBack(name):
+                await asyncio.to_thread(self._play, cabin.session, name)
+            case commands.WhatIf(name, variations):
+                await self._what_if(cabin, name, variations)
+
+    async def _what_if(self, cabin: Cabin, name: str, variations: tuple[str, ...]) -> None:
+        """Begin to fly a recording again; what comes of it is told to everybody in the cabin when it has."""
+        path = await asyncio.to_thread(lambda: self.recording(name).resolve())
+        self._reflights.must_be_possible(variations)
+
+        async def flown() -> None:
+            came: dict[str, Any] = {"flown": [], "error": None}
+            try:
+                came["flown"] = await self._reflights.fly(path, variations)
+            except FdesError as no:
+                came["error"] = str(no)
+            for viewer in cabin.viewers:
+                viewer.tell(type="what_if", recording=name, **came)
+
+        self._begin(flown())
 
     def _play(self, session: Session, name: str) -> None:
         path = self.recording(name)
@@ -316,24 +346,3 @@ def _observing(cabin: Cabin, does: str) -> str:
     if cabin.pilot is None:
         return "The pilot has left this session: reload the page to take the stick."
     return f"You are observing: the pilot of this session {does}."
-
-
-def _obey_at_once(session: Session, command: commands.Command) -> None:
-    """Carry out a command that needs no time."""
-    match command:
-        case commands.Freeze(True):
-            session.freeze()
-        case commands.Freeze(False):
-            session.run()
-        case commands.Reset():
-            session.reset()
-        case commands.Step():
-            session.step()
-        case commands.ClearInputs():
-            session.clear_inputs()
-        case commands.Disturb(text):
-            session.disturb(text)
-        case commands.Seek(t):
-            session.seek(t)
-        case commands.StopReplay():
-            session.stop_replay()

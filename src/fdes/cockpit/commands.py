@@ -102,6 +102,14 @@ class PlayBack:
 
 
 @dataclass(frozen=True)
+class WhatIf:
+    """Fly a recording's stick again for each variation, such as ``Cm_q*=0.5; law=yaw_damper``; "" is as it was."""
+
+    recording: str
+    variations: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Seek:
     """Jump to `t` [s] after the start of the recording that is shown."""
 
@@ -226,6 +234,7 @@ Command = (
     | Disturb
     | Delete
     | PlayBack
+    | WhatIf
     | Seek
     | StopReplay
     | Ping
@@ -258,6 +267,7 @@ COMMANDS: dict[str, type[Command]] = {
     "disturb": Disturb,
     "delete": Delete,
     "replay": PlayBack,
+    "what_if": WhatIf,
     "seek": Seek,
     "stop_replay": StopReplay,
     "ping": Ping,

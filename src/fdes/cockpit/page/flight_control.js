@@ -30,7 +30,7 @@ export class FlightControl {
     this.busy = false;
     this.control = null;
     this.problem = html("p", { class: "problem", role: "alert" });
-    this.notes = html("ul", { class: "law-notes", role: "status" });
+    this.notes = html("div", { class: "law-notes", role: "status" });
     this.switch = button("Engage", () => this.toggle());
     this.switch.id = "engage";
     this.switch.title = "All laws on, or off (L)";
@@ -89,7 +89,7 @@ export class FlightControl {
     const { bandwidth, rate_limit, reason } = control.actuators;
     this.actuatorWords.textContent = `Actuators, ${figure(bandwidth, 2)} rad/s, ${figure(degrees(rate_limit), 2)} deg/s`;
     this.actuatorWords.title = `First order; bandwidth and rate limit are assumed: ${reason}`;
-    this.notes.replaceChildren(...control.notes.map((note) => html("li", {}, note)));
+    this.notes.replaceChildren(...control.notes.map((note) => html("p", {}, note)));
     this.diagram.show(control);
   }
 

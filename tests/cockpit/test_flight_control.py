@@ -1,0 +1,157 @@
+"""Control laws as a student uses them: a damper engaged in flight, its gain by hand, actuators, the diagram."""
+
+from typing import Any
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+
+SIZE = {"width": 1280, "height": 720}
+READY = "() => window.fdes && window.fdes.stats.frames > 5"
+YAW = "[data-law=yaw_damper]"
+ENGAGED = "() => window.fdes.link.latest.get('control').text !== 'direct'"
+DIRECT = "() => window.fdes.link.latest.get('control').text === 'direct'"
+
+
+@pytest.fixture
+def page(browser: Any, cockpit: str) -> Any:
+    """The Fly page with the tab open. Any error in the page fails the test."""
+    context = browser.new_context(viewport=SIZE)
+    page = context.new_page()
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+    page.goto(f"{cockpit}/?world=canvas2d&session=control")
+    page.wait_for_function(READY)
+    page.get_by_role("tab", name="Flight control").click()
+    page.wait_for_selector(YAW)
+    yield page
+    context.close()
+    assert errors == []
+
+
+def told(page: Any, kind: str) -> dict[str, Any]:
+    """The newest message of that kind."""
+    return dict(page.evaluate("kind => window.fdes.link.latest.get(kind)", kind))
+
+
+def engage(page: Any, law: str) -> None:
+    """Tick a law, and wait until it flies."""
+    page.locator(f"[data-law={law}] input[type=checkbox]").check()
+    page.wait_for_function("law => window.fdes.link.latest.get('control').text.includes(law)", arg=law)
+
+
+def dutch_roll(page: Any) -> float:
+    """The damping ratio that the table of modes shows."""
+    return float(page.locator('#modes-table tr[data-mode="dutch_roll"] td').nth(1).text_content())
+
+
+def sway_after_a_kick(page: Any) -> float:
+    """The greatest sideslip [rad] from two to five seconds after a kick of the rudder, from trim."""
+    return float(
+        page.evaluate(
+            """async () => {
+              const { link } = window.fdes;
+              await link.command("reset");
+              await new Promise((done) => setTimeout(done, 300));
+              await link.command("input", { text: "pulse rudder 5deg for 0.5s" });
+              return new Promise((done) => {
+                let most = 0;
+                const begin = link.t;
+                link.on("frame", ({ values, index, t }) => {
+                  if (t > begin + 2) most = Math.max(most, Math.abs(values[index.beta]));
+                  if (t > begin + 5) done(most);
+                });
+              });
+            }"""
+        )
+    )
+
+
+def test_the_bare_yaw_damper_damps_the_dutch_roll_that_is_shown_and_flown(page: Any) -> None:
+    bare, sways = dutch_roll(page), sway_after_a_kick(page)
+    engage(page, "yaw_damper")
+    assert dutch_roll(page) >= 1.5 * bare
+    assert sway_after_a_kick(page) < 0.5 * sways
+    shown = page.locator(f"{YAW} .law-figures").inner_text().split()
+    assert shown[shown.index("wanted") + 1] == "0.400"
+    assert shown[shown.index("flown") + 1] == "0.402"
+    page.get_by_role("tab", name="Modes").click()
+    assert page.locator("#s-plane .s-bare path").count() > 4
+    page.keyboard.press("l")
+    page.wait_for_function(DIRECT)
+    assert dutch_roll(page) == bare
+    assert page.locator("#s-plane .s-bare path").count() == 0
+    page.keyboard.press("l")
+    page.wait_for_function(ENGAGED)
+
+
+def test_an_edit_of_the_aircraft_keeps_the_gains(page: Any) -> None:
+    engage(page, "yaw_damper")
+    before = told(page, "control")
+    page.evaluate("() => window.fdes.link.command('edit', { changes: ['Cn_r*=3'] })")
+    page.wait_for_function("() => window.fdes.link.latest.get('stability').changes.length === 1")
+    after = told(page, "control")
+    assert after["text"] == before["text"]
+    assert after["achieved"][0]["wanted"] == before["achieved"][0]["wanted"] == 0.4
+    assert after["achieved"][0]["flown"] > before["achieved"][0]["flown"]
+
+
+def test_gains_by_hand_wishes_and_one_out_of_reach(page: Any) -> None:
+    engage(page, "yaw_damper")
+    gain = page.get_by_label("Yaw damper: gain, rad/(rad/s)", exact=True)
+    gain.fill("0.1")
+    gain.press("Enter")
+    page.wait_for_function("() => window.fdes.link.latest.get('control').gains.yaw_damper?.gain === 0.1")
+    assert told(page, "control")["achieved"][0]["wanted"] is None
+    page.get_by_label("Yaw damper: gain, slider").fill("0.2")
+    page.wait_for_function("() => window.fdes.link.latest.get('control').gains.yaw_damper?.gain === 0.2")
+    engage(page, "roll_rate_damper")
+    assert told(page, "control")["gains"]["yaw_damper"]["gain"] == 0.2
+    wish = page.get_by_label("Roll-rate damper: time constant")
+    wish.fill("0.001")
+    wish.press("Enter")
+    page.wait_for_selector(".law-notes p")
+    assert "out of reach" in page.locator(".law-notes").inner_text()
+    wish.fill("nonsense")
+    wish.press("Enter")
+    page.wait_for_function("() => document.querySelector('#panel-control .problem').textContent.includes('nonsense')")
+
+
+def test_the_diagram_shows_signals_and_surfaces_at_their_limits(page: Any) -> None:
+    engage(page, "yaw_damper")
+    page.locator("#actuators").check()
+    page.wait_for_function("() => window.fdes.link.latest.get('control').actuators.on")
+    page.get_by_role("tab", name="Block diagram").click()
+    page.evaluate("() => window.fdes.link.command('input', { text: 'step rudder 12deg' })")
+    page.wait_for_function(
+        "() => document.querySelector('.diagram-state').textContent.includes('rudder at its rate limit')"
+    )
+    page.wait_for_function("() => /r .?[1-9]/.test(document.querySelector('.diagram').textContent)")
+    page.evaluate("() => window.fdes.link.command('input', { text: 'step rudder 60deg' })")
+    page.wait_for_function("() => document.querySelector('.diagram-state').textContent.includes('rudder at its stop')")
+    assert page.locator(".diagram .is-limited").count() >= 1
+    page.get_by_role("tab", name="Modes").click()
+    assert page.get_by_text("δe actuator").count() == 1
+
+
+def test_it_is_accessible_and_nothing_is_cut_off(page: Any) -> None:
+    for theme in ("dark", "light"):
+        page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
+        engage(page, "yaw_damper")
+        assert Axe().run(page).response["violations"] == []
+        page.get_by_role("tab", name="Block diagram").click()
+        assert Axe().run(page).response["violations"] == []
+        assert page.evaluate(
+            """() => {
+              const panel = document.querySelector("#panel-control");
+              return panel.scrollWidth <= panel.clientWidth + 1;
+            }"""
+        )
+        page.get_by_role("tab", name="Laws").click()
+
+
+def test_a_path_is_no_law(page: Any) -> None:
+    said = page.evaluate(
+        """() => window.fdes.link.command("law", { text: "./mine.py" }).then(() => "flown", (error) => error.message)"""
+    )
+    assert said.startswith("There is no law named './mine.py'.")
