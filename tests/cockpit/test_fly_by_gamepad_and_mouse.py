@@ -113,3 +113,27 @@ def test_the_mouse_is_a_stick_until_escape(open_page: Any) -> None:
     page.keyboard.press("Escape")
     page.wait_for_timeout(400)
     assert drawn(page)["stick_roll"] == 0.0
+
+
+def test_the_chooser_hands_the_stick_over_and_back(open_page: Any) -> None:
+    page = open_page(INJECT)
+    page.evaluate("() => window.pad.axes[0] = 0.7")
+    page.wait_for_function("() => window.fdes.drawn.stick_roll > 0.3")
+    page.locator("#control").click()
+    page.get_by_role("menuitemradio", name="Keyboard").click()
+    page.wait_for_function("() => window.fdes.drawn.stick_roll === 0")
+    page.locator("#control").focus()
+    page.keyboard.press("Enter")
+    page.keyboard.press("End")
+    page.wait_for_timeout(300)
+    assert drawn(page)["stick_pitch"] == 0.0
+    page.keyboard.press("Enter")
+    page.wait_for_function("() => window.fdes.drawn.stick_roll > 0.3")
+    page.get_by_text("Test Pad", exact=True).wait_for()
+
+
+def test_without_a_gamepad_the_chooser_says_what_to_do(open_page: Any) -> None:
+    page = open_page()
+    page.locator("#control").click()
+    page.get_by_role("menuitemradio", name="Gamepad").click()
+    page.get_by_text("Plug one in and press one of its buttons").wait_for()

@@ -1,8 +1,8 @@
 /** The page: connects the link, the stick, the picture and the buttons. */
 
-import { AircraftPicker } from "./aircraft_picker.js";
 import { drawSheet } from "./aircraft_sheet.js";
 import { Cockpit } from "./cockpit.js";
+import { ControlChooser } from "./control_chooser.js";
 import { byId } from "./dom.js";
 import { fillHelp } from "./help.js";
 import { InputsPanel } from "./inputs.js";
@@ -45,12 +45,13 @@ const cockpit = new Cockpit(
 );
 const topBar = new TopBar(link, cockpit, stick);
 const views = new ViewBar(byId("views"), cockpit, (words) => topBar.complain(words));
+new ControlChooser(byId("control"), stick, (sentence) => topBar.say(sentence));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
 const inputs = new InputsPanel(byId("panel-inputs"), command, link);
 const replayBar = new ReplayBar(byId("replay"), command);
-const picker = new AircraftPicker(byId("picker"), fly);
+let picker = null; // fetched when it is opened
 const chooser = new SignalChooser(byId("chooser"), chart);
 let laboratory = null; // what few open on their first visit is fetched when it is opened
 const tabs = new Tabs(byId("tabs"), (tab) => {
@@ -93,6 +94,17 @@ function sessionName() {
 // crypto.randomUUID exists only on secure pages, and a class may well use plain http.
 function randomName() {
   return [...crypto.getRandomValues(new Uint8Array(4))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+async function chooseAircraft() {
+  try {
+    const { AircraftPicker } = await import("./aircraft_picker.js");
+    picker ??= new AircraftPicker(byId("picker"), fly);
+    picker.setCurrent(cockpit.aircraft);
+    picker.open();
+  } catch (error) {
+    topBar.complain(`The hangar could not be opened. ${error.message}`);
+  }
 }
 
 /** Sends a command; a refusal is shown to the user. Resolves to whether it was done. */
@@ -140,7 +152,7 @@ const actions = {
 listenToKeys(actions);
 for (const button of document.querySelectorAll("[data-action]"))
   button.addEventListener("click", () => actions[button.dataset.action]());
-byId("choose-aircraft").addEventListener("click", () => picker.open());
+byId("choose-aircraft").addEventListener("click", chooseAircraft);
 byId("choose-signals").addEventListener("click", () => chooser.open());
 byId("start-again").addEventListener("click", reset);
 for (const dialog of document.querySelectorAll("dialog")) {
@@ -191,7 +203,7 @@ link.on("aircraft", (aircraft) => {
   }
   indicator.setTrim(aircraft.trim_throttle);
   topBar.showAircraft(aircraft);
-  picker.setCurrent(aircraft);
+  picker?.setCurrent(aircraft);
   inputs.show(aircraft);
   modes.showStatic(aircraft.static);
   if (tabs.shown === "aircraft") drawSheet(byId("panel-aircraft"), aircraft);

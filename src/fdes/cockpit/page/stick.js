@@ -47,6 +47,7 @@ export class StickInput {
     this.gamepads = new Gamepads();
     this.mouse = new MouseStick(document.querySelector(".view"));
     this.padName = null;
+    this.usesPad = true; // one that is plugged in flies, until another control is chosen
     this.trimThrottle = 0;
     this.source = "Keyboard";
     this.touched = false;
@@ -83,6 +84,22 @@ export class StickInput {
     return true;
   }
 
+  /** What flies now, as the chooser names it. */
+  get choice() {
+    if (this.mouse.active) return "mouse";
+    return this.usesPad && this.gamepads.pad ? "gamepad" : "keyboard";
+  }
+
+  /** Hands the stick to "keyboard", "mouse" or "gamepad"; answers what that means in a sentence. */
+  choose(name) {
+    this.mouse.toggle(name === "mouse");
+    this.usesPad = name === "gamepad" || !this.gamepads.pad;
+    if (name === "mouse") return "Mouse stick: the pointer over the world flies. M or Escape ends it.";
+    if (name === "keyboard") return "The keyboard flies. The stick is centered.";
+    if (this.gamepads.pad) return `${this.gamepads.name} flies.`;
+    return "No gamepad is seen. Plug one in and press one of its buttons; until then the keyboard flies.";
+  }
+
   release() {
     this.held.clear();
     this.gentle = false;
@@ -109,7 +126,7 @@ export class StickInput {
     this.source = this.mouse.active ? "Mouse stick" : "Keyboard";
     if (this.mouse.active) this.addMouse();
     this.noticeGamepad(this.gamepads.find());
-    if (this.gamepads.pad) this.addGamepad(dt);
+    if (this.gamepads.pad && this.usesPad) this.addGamepad(dt);
     this.moved.throttle = this.stick.throttle;
     return this.moved;
   }
@@ -142,6 +159,7 @@ export class StickInput {
     if (name === this.padName) return;
     this.onNotice(name ? `${name} flies.` : `${this.padName} is unplugged. The stick is centered; the keyboard flies.`);
     this.padName = name;
+    this.usesPad = true;
   }
 
   /** The pad wins on every axis where it is off center; keys and mouse keep the others. */

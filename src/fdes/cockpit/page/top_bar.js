@@ -88,7 +88,7 @@ export class TopBar {
     const latency = recent.length ? `${recent[recent.length >> 1].toFixed(0)} ms` : "–";
     write(byId("frames"), `${stats.frames - this.framesBefore} fps · ${latency}`);
     this.framesBefore = stats.frames;
-    write(byId("control"), this.cockpit.flying ? this.stick.source : "Observer");
+    write(byId("control-words"), this.cockpit.flying ? this.stick.source : "Observer");
   }
 
   say(text) {
