@@ -14,7 +14,7 @@ SIZE = {"width": 1280, "height": 720}
 @pytest.fixture
 def page(browser: Any, cockpit: str) -> Any:
     """The Fly page with two recordings: a bank to the right, then one to the left."""
-    context = browser.new_context(viewport=SIZE)
+    context = browser.new_context(viewport=SIZE, bypass_csp=True)
     page = context.new_page()
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
@@ -81,6 +81,41 @@ def test_two_flights_are_read_at_a_time_and_subtracted(page: Any, tmp_path: Path
     (_, none), (_, apart) = reading(page)
     assert none == 0.0
     assert apart == pytest.approx(left - right, abs=0.05)
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_the_dialog_is_accessible_and_drawn_in_the_colors_of_the_theme(page: Any, theme: str) -> None:
+    from axe_playwright_python.sync_playwright import Axe
+
+    mark_and_open(page)
+    page.evaluate(f"() => fdes.theme.set('{theme}')")
+    page.wait_for_timeout(300)
+    assert Axe().run(page).response["violations"] == []
+    corner = "() => [...document.querySelector('#overlay canvas').getContext('2d').getImageData(2, 2, 1, 1).data]"
+    red, green, blue, _ = page.evaluate(corner)
+    assert (red + green + blue > 600) is (theme == "light")
+
+
+def test_a_fifth_recording_is_refused_with_the_reason(page: Any) -> None:
+    page.evaluate(
+        """async () => {
+          const list = await (await fetch("/api/recordings")).json();
+          const answer = fetch;
+          const more = JSON.stringify([0, 1, 2, 3, 4].map((n) => ({ ...list[0], name: `${list[0].name}-${n}` })));
+          window.fetch = (url) => (url === "/api/recordings" ? Promise.resolve(new Response(more)) : answer(url));
+        }"""
+    )
+    page.click("#tab-modes")
+    page.click("#tab-recordings")
+    page.wait_for_selector(".recordings li >> nth=4")
+    boxes = page.locator(".recordings input[type=checkbox]")
+    for n in range(4):
+        boxes.nth(n).check()
+    boxes.nth(4).click()
+    assert not boxes.nth(4).is_checked()
+    page.get_by_text("4 are marked, and no more can be told apart. Unmark one first.").wait_for()
+    boxes.nth(0).uncheck()
+    boxes.nth(4).check()
 
 
 def test_the_server_gives_the_numbers_of_the_recording(page: Any) -> None:

@@ -44,7 +44,7 @@ def orange(page: Any) -> int:
               const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
               let found = 0;
               for (let i = 0; i < data.length; i += 4)
-                if (data[i] > 110 && data[i + 1] < 0.6 * data[i] && data[i + 2] < 0.3 * data[i] && data[i + 3] > 200) found++;
+                if (data[i] > 110 && data[i + 1] < 0.6 * data[i] && data[i + 2] < 0.3 * data[i]) found++;
               return found;
             }"""
         )

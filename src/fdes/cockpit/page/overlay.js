@@ -7,14 +7,13 @@
 
 import { fetchJson, html } from "./dom.js";
 import { OverlayChart } from "./overlay_chart.js";
+import { MOST } from "./recordings.js";
 import { symbol } from "./strip_chart.js";
 import { shown } from "./units.js";
 
 const FIRST = ["theta", "phi", "q", "p"];
 const STICK = ["stick_pitch", "stick_roll", "stick_yaw"];
 const MOVED = 0.01; // of full stick, from where it began
-
-export const MOST = 4; // as many as there are colors for
 
 /** A recording of the server as a set of series. */
 export async function recordingSet(name, label) {
@@ -65,6 +64,8 @@ export class Overlay {
     document.head.append(style);
     document.body.append(this.dialog);
     new ResizeObserver(() => this.chart.draw()).observe(this.canvas);
+    const themed = new MutationObserver(() => this.chart.draw());
+    themed.observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   toggle(words) {

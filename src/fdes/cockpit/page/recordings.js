@@ -3,6 +3,8 @@
 import { fetchJson, html } from "./dom.js";
 import { minutes } from "./units.js";
 
+export const MOST = 4; // recordings overlaid: as many as there are colors for
+
 export class RecordingsPanel {
   /** `command(name, fields)` sends a command and shows its error. */
   constructor(panel, command) {
@@ -11,12 +13,13 @@ export class RecordingsPanel {
     this.playing = null;
     this.marked = new Map(); // name -> label, in the order in which they were marked
     this.overlayButton = html("button", { onclick: () => this.overlay() }, "Overlay the marked");
+    this.refusal = html("span", { role: "status" });
   }
 
   async refresh() {
     try {
       const list = await fetchJson("/api/recordings");
-      this.panel.replaceChildren(list.length ? html("div", {}, html("p", { class: "overlay-bar" }, this.overlayButton), this.list(list)) : lesson());
+      this.panel.replaceChildren(list.length ? html("div", {}, html("p", { class: "overlay-bar" }, this.overlayButton, this.refusal), this.list(list)) : lesson());
     } catch (error) {
       this.panel.replaceChildren(
         html("p", { class: "problem", role: "alert" }, `The recordings could not be read. ${error.message}`),
@@ -27,18 +30,21 @@ export class RecordingsPanel {
   /** Lays the marked recordings over one another; that which was marked first is the one compared with. */
   async overlay() {
     try {
-      const { MOST, Overlay, recordingSet } = await import("./overlay.js");
+      const { Overlay, recordingSet } = await import("./overlay.js");
       this.dialog ??= new Overlay();
-      const marked = [...this.marked].slice(0, MOST);
-      await this.dialog.open(await Promise.all(marked.map(([name, label]) => recordingSet(name, label))));
+      await this.dialog.open(await Promise.all([...this.marked].map(([name, label]) => recordingSet(name, label))));
     } catch (error) {
       this.panel.prepend(html("p", { class: "problem", role: "alert" }, `The overlay could not be drawn. ${error.message}`));
     }
   }
 
-  mark(name, label, on) {
-    if (on) this.marked.set(name, label);
+  /** Marks a recording for the overlay, or not. One too many is refused: its box is empty again, and words say why. */
+  mark(box, name, label) {
+    const refused = box.checked && this.marked.size >= MOST;
+    if (refused) box.checked = false;
+    else if (box.checked) this.marked.set(name, label);
     else this.marked.delete(name);
+    this.refusal.textContent = refused ? `${MOST} are marked, and no more can be told apart. Unmark one first.` : "";
     this.overlayButton.disabled = !this.marked.size;
   }
 
@@ -66,7 +72,7 @@ export class RecordingsPanel {
             checked: this.marked.has(recording.name),
             "aria-label": `Mark ${what}, ${when(recording.started)}, for the overlay`,
             title: "Mark for the overlay: up to four",
-            onchange: ({ target }) => this.mark(recording.name, `${what}, ${when(recording.started)}`, target.checked),
+            onchange: ({ target }) => this.mark(target, recording.name, `${what}, ${when(recording.started)}`),
           }),
           html("div", {}, html("b", {}, what), html("small", {}, details.join(" · "))),
           html(
