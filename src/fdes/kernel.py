@@ -15,7 +15,7 @@ import hashlib
 import importlib
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -30,6 +30,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 # Not `reassoc`, which would change published digits, nor `nnan` and `ninf`, with which isnan() is always false.
 FLOATING = {"contract", "arcp", "nsz"}
 LANES = 8  # of a block: one AVX-512 register each, two of AVX2; 16 and 32 are 5 % slower on a 14-state model
+NOTHING: Mapping[Any, Any] = {}
 KEPT = 4  # folders of compiled forms: of this FDES, and of the last that was edited or installed beside it
 
 
@@ -57,11 +58,17 @@ class Batch(NamedTuple):
     advance: Callable[..., None]
 
 
-def batch(derivative: Callable[[Any, Any, Any], Any], tableau: Any, lanes: int = LANES) -> Batch:
+def batch(
+    derivative: Callable[[Any, Any, Any], Any],
+    tableau: Any,
+    lanes: int = LANES,
+    instead: Mapping[Any, Any] = NOTHING,
+) -> Batch:
     """A solver for `derivative(x, held, numbers) -> dx/dt`, its arguments named tuples of floats, or of such tuples.
 
-    `tableau` is an explicit Runge-Kutta method. Nothing loops over aircraft but the innermost loop, which the compiler
-    turns into packed instructions. Raises SpecError where compiling is switched off.
+    tableau: an explicit Runge-Kutta method. instead: functions to be compiled in the place of others, wherever those
+    are called. Nothing loops over aircraft but the innermost loop, which the compiler turns into packed instructions.
+    Raises SpecError where compiling is switched off.
     """
     if not enabled():
         raise SpecError("A batch of aircraft needs compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
@@ -69,18 +76,20 @@ def batch(derivative: Callable[[Any, Any, Any], Any], tableau: Any, lanes: int =
     hints.pop("return")
     state, held, numbers = hints.values()
     text = _solver_text(state, held, numbers, tableau, lanes)
-    solver = _module(text, {"derivative": _machine_form(derivative, inside=True), **_tuples(state, held, numbers)})
+    solver = _module(
+        text, {"derivative": _machine_form(derivative, instead, inside=True), **_tuples(state, held, numbers)}
+    )
     states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
     return Batch(states, inputs, parameters, _njit(solver.advance, nogil=True))
 
 
-def _machine_form(f: Any, *, inside: bool) -> Any:
+def _machine_form(f: Any, instead: Mapping[Any, Any], *, inside: bool) -> Any:
     """numba's form of `f`, and of what it calls; `inside` another, it is inlined, so that lanes stay together."""
     globals_ = dict(f.__globals__)
     for name in _globals_of(f.__code__):
         value = globals_.get(name)
         if isinstance(value, FunctionType) or (callable(value) and _elementary(name, value)):
-            globals_[name] = _inner(_lane_form(name, value))
+            globals_[name] = _machine_form(instead.get(value, _lane_form(name, value)), instead, inside=True)
     twin = FunctionType(f.__code__, globals_, f.__name__, f.__defaults__, f.__closure__)
     twin.__module__, twin.__qualname__, twin.__kwdefaults__ = f.__module__, f.__qualname__, f.__kwdefaults__
     return _njit(twin, forceinline=inside)
@@ -88,12 +97,7 @@ def _machine_form(f: Any, *, inside: bool) -> Any:
 
 @cache
 def _outer(f: Any) -> Any:
-    return _machine_form(f, inside=False)
-
-
-@cache
-def _inner(f: Any) -> Any:
-    return _machine_form(f, inside=True)
+    return _machine_form(f, NOTHING, inside=False)
 
 
 def _lane_form(name: str, value: Any) -> Any:

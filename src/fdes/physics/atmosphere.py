@@ -5,7 +5,7 @@ Reference: U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, tables 3 an
 
 from typing import NamedTuple
 
-from fdes.elementary import exp, pow, sqrt
+from fdes.elementary import exp, pow, sqrt, where
 from fdes.errors import SpecError
 from fdes.units import Kelvin, KilogramPerMeter3, Meter, MeterPerSecond, Pascal
 
@@ -49,16 +49,38 @@ def standard_atmosphere(h: Meter, warmer: Kelvin = 0.0) -> Atmosphere:
     """
     if not BOTTOM <= h.real <= TOP:
         raise SpecError(f"The standard atmosphere reaches from -5,000 m to 86,000 m; height {h:,.0f} m is outside it.")
+    return air_at(h, warmer)
+
+
+def _at_bases() -> tuple[tuple[float, float, float, float], ...]:
+    """Height, gradient, temperature and pressure at the base of each layer, from one to the next."""
+    rows = [(*_LAYERS[0], T0, P0)]
+    for base, lapse in _LAYERS[1:]:
+        air = _in_layer(*rows[-1], base)
+        rows.append((base, lapse, air[0], air[1]))
+    return tuple(rows)
+
+
+def _in_layer(base: Meter, lapse: float, T_base: Kelvin, p_base: Pascal, H: Meter) -> tuple[Kelvin, Pascal]:
+    """Temperature and pressure at the geopotential height `H`; both kinds of layer are computed, and one is taken."""
+    T = T_base + lapse * (H - base)
+    even = exp(-G_STANDARD * (H - base) / (R_AIR * T_base))  # eq. 33b
+    gradient = where(lapse == 0.0, 1.0, lapse)
+    sloped = pow(T_base / T, G_STANDARD / (R_AIR * gradient))  # eq. 33a
+    return T, p_base * where(lapse == 0.0, even, sloped)
+
+
+_BASES = _at_bases()
+
+
+def air_at(h: Meter, warmer: Kelvin) -> Atmosphere:
+    """As `standard_atmosphere`, unchecked and without a branch, so that many aircraft can be computed at once."""
     H = R_EARTH * h / (R_EARTH + h)  # eq. 18, geopotential height
-    T, p = T0, P0
-    for (base, lapse), (top, _) in zip(_LAYERS, (*_LAYERS[1:], (TOP, 0.0)), strict=True):
-        thickness = (H if H.real < top else top) - base
-        if lapse == 0.0:
-            p *= exp(-G_STANDARD * thickness / (R_AIR * T))  # eq. 33b
-        else:
-            p *= pow(T / (T + lapse * thickness), G_STANDARD / (R_AIR * lapse))  # eq. 33a
-            T += lapse * thickness
-        if top >= H.real:
-            break
+    base, lapse, T, p = _BASES[0]
+    for row in _BASES[1:]:
+        above = H.real >= row[0]
+        base, lapse = where(above, row[0], base), where(above, row[1], lapse)
+        T, p = where(above, row[2], T), where(above, row[3], p)
+    T, p = _in_layer(base, lapse, T, p, H)
     T += warmer
     return Atmosphere(T, p, p / (R_AIR * T), sqrt(GAMMA_AIR * R_AIR * T))  # eq. 42, 50

@@ -124,7 +124,7 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
     over_earth = x.p - Omega[0], x.q - Omega[1], x.r - Omega[2]
     flow = _flow(plant, x, R, here, day, over_earth, air)
     feel = surfaces(plant, held)
-    aero = plant.aerodynamics(plant.aero, flow, feel)
+    aero = air_loads(plant, flow, feel)
     push = thrust(plant.engine, flow, feel.throttle)
     gx, gy, gz = gravitation(earth, x.x, x.y, x.z)
     spin = earth.Omega * earth.Omega
@@ -141,6 +141,11 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
         *angular_acceleration(body, x.p, x.q, x.r, loads.L, loads.M, loads.N),
     )
     return Instant(R, here, day, flow, loads, rate)
+
+
+def air_loads(plant: SixDof, flow: Flow, feel: Surfaces) -> AirLoads:
+    """What the plant's own aerodynamics say. A compiled plant has those of one kind in its place."""
+    return plant.aerodynamics(plant.aero, flow, feel)
 
 
 def _flow(plant: SixDof, x: State, R: Rotation, here: Place, day: Atmosphere, rates: Three, air: Air) -> Flow:
@@ -162,8 +167,6 @@ def _with_alpha_dot(
     alpha_dot = e (d/dt of the velocity in the air) / V_xz, e being downward across the flow in the plane of symmetry;
     the lift of alpha_dot acts against e. `moved` is the acceleration without it.
     """
-    if not (aero.lift_alphadot or aero.M_alphadot):
-        return steady
     level = sqrt(flow.u * flow.u + flow.w * flow.w)
     level = where(level.real > SLOWEST, level, SLOWEST)
     sa, ca = flow.w / level, flow.u / level

@@ -37,12 +37,9 @@ class Thrust(NamedTuple):
 
 def thrust(engine: Engine, flow: Flow, throttle: Number) -> Thrust:
     """The thrust of this instant: T_max throttle (V / V_ref)^n (rho / rho_ref)^m."""
-    T = engine.T_max * throttle
-    if engine.with_speed:
-        ratio = flow.V / engine.V_ref
-        T *= pow(where(ratio.real > SLOW, ratio, SLOW), engine.with_speed)
-    if engine.with_density:
-        T *= pow(flow.rho / engine.rho_ref, engine.with_density)
+    ratio = flow.V / engine.V_ref
+    of_speed = pow(where(ratio.real > SLOW, ratio, SLOW), engine.with_speed)
+    T = engine.T_max * throttle * of_speed * pow(flow.rho / engine.rho_ref, engine.with_density)
     return Thrust(T * cos(engine.tilt), -T * sin(engine.tilt))
 
 
