@@ -17,6 +17,8 @@ __version__ = "0.1.0"
 
 _HOME = {
     "FdesError": "fdes.errors",
+    "assess": "fdes.analysis.qualities",
+    "edited": "fdes.aircraft",
     "fly": "fdes.flight",
     "load": "fdes.aircraft",
     "linear_model": "fdes.analysis",
@@ -24,6 +26,7 @@ _HOME = {
     "open_recording": "fdes.flight",
     "plant_of": "fdes.flight",
     "simulate": "fdes.flight",
+    "what_if": "fdes.analysis.what_if",
 }
 
 __all__ = sorted(_HOME)  # noqa: PLE0605  the table above is the one list of public names

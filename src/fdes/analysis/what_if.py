@@ -61,13 +61,15 @@ class Variation:
         return cls(text, tuple(changes), instead)
 
 
-def what_if(recording: Recording, variation: Variation | None = None) -> Reflight:
+def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
     """`recording` flown again, unchanged or with a `variation`: same stick, same test inputs, same air.
 
+    A variation may be given as its text, which `Variation.parse` reads.
     On another aircraft the throttle lever is moved by as much as its trim is elsewhere. Raises FdesError where the
     variation cannot be, RecordingError where the recording does not say enough.
     """
-    variation = variation or Variation()
+    if isinstance(variation, str):
+        variation = Variation.parse(variation)
     other = _Other(variation)
     if "law" in variation.instead:  # gains designed once, and kept through whatever is changed in flight
         new = other.header(recording.header)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fdes.cli.law import show_law
+from fdes.cli.law import show_law, show_margins
 from fdes.cli.options import (
     AircraftName,
     AsJson,
@@ -55,7 +55,8 @@ def modes(
 
     The form full is the default: over all published modes its mean error is the smallest, 0.8 % against 2.8 % (nelson)
     and 5.7 % (paper). Compare with Nelson's book in nelson. With --law they are those of the closed loop: continuous
-    and without actuators, unless --sampled or --actuators asks for them.
+    and without actuators, unless --sampled or --actuators asks for them; and the margins of gain, phase and delay are
+    shown, the loop broken at each surface.
     """
     from fdes.analysis import modes as modes_of
     from fdes.analysis.approximations import WITHOUT_COEFFICIENTS, compare, mode_report, static_figures
@@ -105,6 +106,7 @@ def _closed(
     """The modes of the closed loop, and what the law is."""
     from fdes.analysis import modes as modes_of
     from fdes.analysis.closed_loop import close
+    from fdes.analysis.margins import costs
     from fdes.flight.actuated import actuators_of
 
     if sampled is not None and not 0.0 < sampled < float("inf"):
@@ -113,6 +115,7 @@ def _closed(
     designed = designed_law(text, ready, form, dt)
     on = actuators_of(ready) if actuators else None
     found = modes_of(close(ready, designed.law, dt, on, form))
+    left = costs(ready, designed.law, dt, on, form)
     if target is not None:
         from fdes.analysis.plots import s_plane
         from fdes.cli.plot import save_plot
@@ -123,6 +126,7 @@ def _closed(
             "law": designed.as_dict(),
             "sampled": sampled,
             "actuators": on and {name: one._asdict() for name, one in on._asdict().items()},
+            "margins": [{"with": step} | m.as_dict() for step, margins in left.items() for m in margins],
         }
         print_json(about(ready, form) | loop | {"modes": [mode.as_dict() for mode in found]})
         return
@@ -132,6 +136,7 @@ def _closed(
     screen().print(f"\nThe closed loop, {how}, {'with' if actuators else 'without'} actuators\n")
     for axis in ("longitudinal", "lateral"):
         screen().print(_table(axis.capitalize(), [mode for mode in found if mode.axis == axis]))
+    show_margins(left)
 
 
 def _table(title: str, found: "Sequence[Mode]") -> "Table":
@@ -193,7 +198,7 @@ def _static(figures: "StaticFigures", cg: float | None) -> str:
     if cg is not None and figures.neutral_point is not None and figures.maneuver_point is not None:
         lines += [f"neutral point     {100.0 * figures.neutral_point:6.1f} %  center of gravity at {100.0 * cg:.1f} %"]
         lines += [f"maneuver point    {100.0 * figures.maneuver_point:6.1f} %"]
-    lines += [f"n/alpha           {number(figures.n_alpha, DIGITS):>6} g/rad"]
+    lines += [f"n/alpha           {number(figures.n_alpha, DIGITS):>6} g/rad, by CL_alpha alone"]
     if figures.roll_rate is not None:
         rate = number(figures.roll_rate, DIGITS)
         lines += [f"steady roll rate  {rate:>6} deg/s per degree of aileron, rolling alone"]
