@@ -62,6 +62,27 @@ def test_a_wish_out_of_reach_is_told(run: Run) -> None:
     assert "yaw_damper: zeta 0.9 is out of reach. The best that a positive gain attains is 0.242, at gain" in words
 
 
+def test_margins_show_what_sensors_actuators_and_frames_cost(run: Run) -> None:
+    words = ("modes", "A-4D", "--law", "yaw_damper gain=0.35; sensors lag=20ms delay=30ms", "--sampled", "60")
+    text = run(*words, "--actuators").stdout
+    assert max(map(len, text.splitlines())) <= 80
+    at = text.index("Margins, the loop broken at one surface")
+    rows = [line.split() for line in text[at:].splitlines() if " law alone " in line or " + " in line]
+    assert rows[0][:3] == ["rudder", "law", "alone"]
+    said = json.loads(run(*words, "--actuators", "--json").stdout)["margins"]
+    assert [m["with"] for m in said] == ["law alone", "+ sensors", "+ actuators", "+ frames"]
+    assert {m["surface"] for m in said} == {"rudder"}
+    gains = [m["gain_margin_db"] for m in said]
+    assert gains == sorted(gains, reverse=True)
+    assert [float(row[-5]) for row in rows] == pytest.approx(gains, rel=6e-3)
+    assert [float(row[-1]) for row in rows] == pytest.approx([1000.0 * m["delay_margin_s"] for m in said], rel=6e-3)
+
+
+def test_a_law_without_a_loop_has_no_margins(run: Run) -> None:
+    assert "Margins" not in run("modes", "A-4D", "--actuators").stdout
+    assert json.loads(run("modes", "A-4D", "--actuators", "--json").stdout)["margins"] == []
+
+
 def test_simulate_flies_the_law(run: Run, tmp_path: Path) -> None:
     done = run("simulate", "A-4D", "--initial", "beta=5deg", "--law", "yaw_damper", "--actuators", "--out", "run.csv")
     assert done.returncode == 0, done.stderr

@@ -32,6 +32,44 @@ def close(
     once adds the surfaces held. Its inputs are what is added to the law's command, and the stick.
     Raises SpecError where the law measures what the model does not show.
     """
+    return _joined(*_plant_and_law(of, law, dt, actuators, form))
+
+
+def open_loop(
+    of: FlightCondition | LinearModel,
+    law: Law,
+    surface: str,
+    dt: float | None = None,
+    actuators: Actuators | None = None,
+    form: Form = "full",
+) -> LinearModel:
+    """The loop of `close` broken at the command of one surface, all others closed: one input, one output, n states.
+
+    From a command of `surface` to what the law makes of it, with its sign turned: closed again by u = -y. Its units are
+    rad, or 1 for the throttle. Raises SpecError as `close` does.
+    """
+    plant, controller, measured = _plant_and_law(of, law, dt, actuators, form)
+    row, column = Surfaces._fields.index(surface), plant.inputs.index(surface)
+    others = np.array([name != surface for name in Surfaces._fields])[:, None]
+    whole = _joined(plant, replace(controller, C=controller.C * others, D=controller.D * others), measured)
+    rows = [whole.outputs.index(name) for name in measured]
+    gains = controller.D[row, [controller.inputs.index(name) for name in measured]]
+    remembered = np.concatenate([np.zeros(len(plant.states)), controller.C[row]])
+    return replace(
+        whole,
+        B=whole.B[:, [column]],
+        C=-(gains @ whole.C[rows] + remembered)[None, :],
+        D=np.array([[-float(gains @ whole.D[rows, column])]]),
+        inputs=(surface,),
+        outputs=(f"returned_{surface}",),
+        units=whole.units | {f"returned_{surface}": whole.units[surface]},
+    )
+
+
+def _plant_and_law(
+    of: FlightCondition | LinearModel, law: Law, dt: float | None, actuators: Actuators | None, form: Form
+) -> tuple[LinearModel, LinearModel, tuple[str, ...]]:
+    """What flies, with actuators and from frame to frame; the law; and the outputs that it measures."""
     controller = law.linear(dt)
     measured = tuple(name for name in controller.inputs if name not in STICKS)
     plant = linear_model(of, form, measured) if isinstance(of, FlightCondition) else of
@@ -42,7 +80,7 @@ def close(
         plant = with_actuators(plant, actuators)
     if dt is not None:
         plant = _with_held_surfaces(plant.held(dt), measured)
-    return _joined(plant, controller, measured)
+    return plant, controller, measured
 
 
 def with_actuators(plant: LinearModel, actuators: Actuators) -> LinearModel:

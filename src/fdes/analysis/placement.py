@@ -140,8 +140,10 @@ def _gain_of_its_size(A0: Array, A1: Array, dt: float | None, root: complex) -> 
 
 
 def _continuous(values: Any, dt: float | None) -> Roots:
-    with np.errstate(divide="ignore"):
-        return values.astype(complex) if dt is None else np.log(values.astype(complex)) / dt  # type: ignore[no-any-return]  # NumPy's
+    if dt is None:
+        return np.asarray(values, dtype=complex)
+    with np.errstate(divide="ignore"):  # the logarithm of what is over within a frame
+        return np.asarray(np.log(np.abs(values)) / dt + 1j * np.angle(values) / dt)
 
 
 def _followed(roots: Roots, root: complex) -> Roots:
