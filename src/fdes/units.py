@@ -90,6 +90,7 @@ _TO_SI: dict[str, tuple[str, float]] = {
     "N s^2": ("N s^2", 1.0),
     "N m": ("N m", 1.0),
     "N m s": ("N m s", 1.0),
+    "slug ft^2/s": ("N m s", SLUG * FOOT**2),
     "W": ("W", 1.0),
     "rad/rad": ("rad/rad", 1.0),
     "deg/deg": ("rad/rad", 1.0),

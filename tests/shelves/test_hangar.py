@@ -45,6 +45,10 @@ def test_every_source_is_cited_and_every_correction_reasoned(aircraft: Aircraft)
             for p in aircraft.at(condition.id, variant=variant).provenance.values():
                 cited |= set(p.sources)
                 assert (p.reason is not None) == (p.corrected is not None)
+    for block in ("geometry", "mass", "terms", "turbofan"):
+        part = aircraft.document.get(block, {})
+        cited |= {*part.get("sources", ()), *([part["source"]] if part else [])}
+    cited |= {c["mass"]["source"] for c in aircraft.document["conditions"] if "mass" in c}
     (main,) = {c["source"] for c in aircraft.document["conditions"]}
     assert cited | {main} == set(aircraft.sources)
     assert aircraft.source == aircraft.sources[main]

@@ -12,7 +12,7 @@ from fdes.physics.atmosphere import standard_atmosphere
 from fdes.units import DEG, FOOT, POUND_FORCE, POUND_MASS
 
 PAPER = ["A-4D", "F-104A", "NAVION", "Convair880", "B747", "JetStar"]
-MORE = ["A-7A", "B747_CR2144", "B747_Etkin", "NT-33A"]
+MORE = ["A-7A", "B747_CR2144", "B747_Etkin", "F-16", "NT-33A"]
 
 MINE = Path(__file__).parent / "mine.toml"
 
@@ -126,6 +126,7 @@ def test_confidence_of_a_condition() -> None:
         "medium",  # A-7A
         *("medium", "high", *["medium"] * 6, "high", "high"),  # B747_CR2144
         "high",  # B747_Etkin
+        *("high", "high"),  # F-16
         *("high", "high"),  # NT-33A
     ]
 

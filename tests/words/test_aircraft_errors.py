@@ -213,7 +213,7 @@ def ask(aircraft: str, condition: str | None = None, variant: str = "corrected")
 
 
 def test_unknown_names() -> None:
-    known = "Known: A-4D, A-7A, B747, B747_CR2144, B747_Etkin, Convair880, F-104A, JetStar, NAVION, NT-33A."
+    known = "Known: A-4D, A-7A, B747, B747_CR2144, B747_Etkin, Convair880, F-104A, F-16, JetStar, NAVION, NT-33A."
     assert ask("skyhwak") == f"There is no aircraft named 'skyhwak'. Did you mean 'A-4D'? {known}"
     assert ask("Nawion") == f"There is no aircraft named 'Nawion'. Did you mean 'NAVION'? {known}"
     assert ask("xyz") == f"There is no aircraft named 'xyz'. {known}"

@@ -70,7 +70,7 @@ def test_the_whole_hangar_in_80_columns() -> None:
     result = run()
     assert result.exit_code == 0, result.stdout
     assert max(map(len, lines(result.stdout))) <= 80
-    assert lines(result.stdout)[-1].startswith(f"{len(RULES)} rules, 25 conditions: 0 errors, 0 warnings, ")
+    assert lines(result.stdout)[-1].startswith(f"{len(RULES)} rules, 27 conditions: 0 errors, 0 warnings, ")
     assert "NAVION M0.158_SL: clean" in result.stdout
 
 

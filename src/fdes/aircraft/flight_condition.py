@@ -8,6 +8,8 @@ from fdes.aircraft.check import waived_notes
 from fdes.aircraft.dimensional import DimensionalDerivatives, DimensionalTable
 from fdes.aircraft.number import Confidence, Number, Part, Variant
 from fdes.aircraft.schema import AircraftFile, Assumed, Condition
+from fdes.aircraft.terms import Terms
+from fdes.aircraft.turbofan import TurbofanTables
 from fdes.errors import AircraftFileError, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients, Form, Matrices, Reference, dimensional, matrices
@@ -59,6 +61,8 @@ class FlightCondition:
     assumed: what no source gives: ``{"value", "unit", "reason"}`` by name, in the unit it was chosen in.
     provenance: where each number of the file is from, by its name there.
     document: the whole content of the file.
+    tables: the aerodynamics that the nonlinear plant has instead of derivatives, and `turbofan` its engine; None where
+        the file has none.
     changes: what was changed since (`fdes.aircraft.edit`); provenance and document are those of the unchanged aircraft.
     """
 
@@ -76,6 +80,8 @@ class FlightCondition:
     assumed: Mapping[str, Mapping[str, Any]] = field(repr=False)
     provenance: Mapping[str, Provenance] = field(repr=False)
     document: Mapping[str, Any] = field(repr=False)
+    tables: Terms | None = field(default=None, repr=False)
+    turbofan: TurbofanTables | None = field(default=None, repr=False)
     changes: "tuple[Change, ...]" = ()
 
     @property
@@ -156,6 +162,8 @@ def flight_condition(
         assumed={name: a.model_dump() for name, a in assumed.items()},
         provenance=provenance,
         document=document,
+        tables=file.terms,
+        turbofan=file.turbofan,
     )
     _check(ready, drag)
     return replace(ready, notes=(*ready.notes, *waived_notes(ready)))

@@ -9,6 +9,7 @@ flight condition a table of derivatives. A number is written bare, or as a table
 other works in which the same value was found. What no source gives stands under `assumed`, with why it was chosen.
 """
 
+from collections.abc import Mapping
 from typing import Literal, Self
 
 from pydantic import Field, field_validator, model_validator
@@ -37,6 +38,8 @@ from fdes.aircraft.number import (
     Travel,
 )
 from fdes.aircraft.role import PHASES, AirplaneClass, Category
+from fdes.aircraft.terms import Terms
+from fdes.aircraft.turbofan import TurbofanTables
 from fdes.errors import nearest
 
 
@@ -239,6 +242,8 @@ class AircraftFile(Part):
     sources: dict[str, str]
     geometry: Geometry | None = None
     mass: MassProperties
+    terms: Terms | None = None
+    turbofan: TurbofanTables | None = None
     flying_qualities: FlyingQualities | None = None
     assumed: Assumed = Field(default_factory=Assumed)
     conditions: tuple[Condition, ...] = Field(strict=False)
@@ -270,6 +275,7 @@ class AircraftFile(Part):
     def _enough_for(self, condition: Condition) -> None:
         """Geometry, inertias and assumptions are there as far as the kind of derivatives needs them."""
         needed = condition.dimensional.needs if condition.dimensional else {"S", "b", "c", "Ix", "Iy", "Iz"}
+        needed |= {"S", "b", "c", "cg", "Ix", "Iy", "Iz"} if self.terms else set()
         mass = condition.mass or self.mass
         for name in sorted(needed):
             block, part = ("geometry", self.geometry) if name in Geometry.model_fields else ("mass", mass)
@@ -301,6 +307,6 @@ def _cited(part: Part) -> list[str]:
     """All source keys that the part and its parts cite, in the order of the file."""
     keys = [getattr(part, "source", None), *getattr(part, "sources", ())] if not isinstance(part, AircraftFile) else []
     for _, inner in part:
-        parts = inner if isinstance(inner, tuple) else (inner,)
+        parts = inner if isinstance(inner, tuple) else inner.values() if isinstance(inner, Mapping) else (inner,)
         keys += [key for p in parts if isinstance(p, Part) for key in _cited(p)]
     return [key for key in keys if key]
