@@ -67,6 +67,17 @@ async function openLaboratory() {
   return new VariableStability(byId("panel-stability"), link);
 }
 
+let whatIf = null;
+recordings.onWhatIf = async (name, label) => {
+  try {
+    const { WhatIf } = await import("./what_if.js");
+    const replay = (recording) => command("replay", { recording });
+    whatIf ??= new WhatIf({ link, cockpit, replay, showView: (view) => views.show(view), done: () => recordings.refresh() });
+    await whatIf.open(name, label);
+  } catch (error) {
+    topBar.complain(`The recording cannot be flown again. ${error.message}`);
+  }
+};
 let flightControl = null;
 
 /** The Flight control tab; fetched when it is opened, or when its key is pressed. */

@@ -20,7 +20,7 @@ const DISTURBANCES = [
   ["u + 10 kt", "u=+10kt"],
 ];
 const FORMS = ["full", "nelson", "paper"];
-const INTEGRATORS = ["rk4", "exact", "dopri5", "kutta_merson", "heun", "euler"];
+export const INTEGRATORS = ["rk4", "exact", "dopri5", "kutta_merson", "heun", "euler"];
 const STEPS = [1 / 120, 0.02, 0.04, 0.1, 0.2, 0.3, 0.5];
 
 export class InputsPanel {

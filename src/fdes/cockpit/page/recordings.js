@@ -10,6 +10,7 @@ export class RecordingsPanel {
   constructor(panel, command) {
     this.panel = panel;
     this.command = command;
+    this.onWhatIf = () => {}; // told the name of a recording, and what to call it
     this.playing = null;
     this.marked = new Map(); // name -> label, in the order in which they were marked
     this.overlayButton = html("button", { onclick: () => this.overlay() }, "Overlay the marked");
@@ -63,7 +64,8 @@ export class RecordingsPanel {
       recordings.map((recording) => {
         const file = `/api/recordings/${encodeURIComponent(recording.name)}`;
         const what = `${recording.aircraft}, ${recording.condition}`;
-        const details = [when(recording.started), minutes(recording.seconds), size(recording.bytes)];
+        const flownAs = recording.what_if === null ? [] : [`what if: ${recording.what_if || "as it was"}`];
+        const details = [...flownAs, when(recording.started), minutes(recording.seconds), size(recording.bytes)];
         return html(
           "li",
           { class: recording.name === this.playing ? "is-playing" : "" },
@@ -85,6 +87,15 @@ export class RecordingsPanel {
                 "aria-label": `Replay ${what}, ${when(recording.started)}`,
               },
               "Replay",
+            ),
+            html(
+              "button",
+              {
+                onclick: () => this.onWhatIf(recording.name, `${what}, ${when(recording.started)}`),
+                "aria-label": `Fly ${what}, ${when(recording.started)}, again with changes`,
+                title: "Fly the same stick again with other derivatives, law, integrator or aircraft",
+              },
+              "What if…",
             ),
             html(
               "a",
