@@ -163,7 +163,10 @@ def test_charts_are_written(suffix: str, tmp_path: Path) -> None:
             ["--criterion", "mil_f_8785c_spiral", "--zeta-sp", "0.2"],
             "mil_f_8785c_spiral does not read --zeta-sp. It reads: --t2-spiral.",
         ),
-        (["--zeta-sp", "0.3", "--set", "Cm_q=0"], "--set, --law and --actuators need an aircraft: name one."),
+        (
+            ["--zeta-sp", "0.3", "--set", "Cm_q=0"],
+            "--set, --law, --actuators and --sampled need an aircraft: name one.",
+        ),
         (["A-4D", "--set", "Cm_z=0"], "There is no number of the A-4D named 'Cm_z'."),
         (["--zeta-sp", "nan"], "--zeta-sp is nan; it must be a finite number."),
         (["--omega-sp", "0", "--n-alpha", "9"], "--omega-sp is 0; it must be greater than zero."),
@@ -174,3 +177,36 @@ def test_charts_are_written(suffix: str, tmp_path: Path) -> None:
 )
 def test_mistakes_are_explained(words: list[str], says: str) -> None:
     assert says in mistake(*words)
+
+
+@pytest.mark.parametrize(
+    ("words", "value", "says"),
+    [
+        (["--actuators"], 0.05, "0.05 s of the slowest actuator: Level 1."),
+        (["--law", "yaw_damper gain=0.3", "--sampled", "20"], 0.025, "0.025 s of half a frame: Level 1."),
+        (
+            ["--law", "yaw_damper gain=0.3; sensors delay=90ms", "--sampled", "5", "--actuators"],
+            0.15,
+            "0.05 s of the slowest actuator and 0.1 s of half a frame: Level 2.",
+        ),
+    ],
+)
+def test_response_delay_is_made_of_actuators_and_half_a_frame(words: list[str], value: float, says: str) -> None:
+    """MIL-F-8785C, 3.5.3, is about what follows the stick: sensors, in the feedback, are not in its way."""
+    (verdict,) = asked("A-4D", "--criterion", "mil_f_8785c_response_delay", *words)["verdicts"]
+    assert verdict["value"] == pytest.approx(value)
+    assert verdict["reason"].endswith(says)
+
+
+def test_without_anything_between_there_is_no_delay_to_judge() -> None:
+    (verdict,) = asked("A-4D", "--criterion", "mil_f_8785c_response_delay")["verdicts"]
+    assert verdict["level"] is None
+
+
+def test_sensors_cost_the_loop_its_damping_in_the_verdict() -> None:
+    law = "yaw_damper gain=0.8; sensors lag=50ms delay=200ms"
+    late, prompt = (
+        asked("A-4D", "--criterion", "mil_f_8785c_dutch_roll", "--law", text)["verdicts"][0]
+        for text in (law, law.rpartition(";")[0])
+    )
+    assert (prompt["level"], late["level"]) == (1, 4)

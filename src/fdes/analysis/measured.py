@@ -80,6 +80,9 @@ def measure(
     missing["tau_roll"], missing["t2_spiral"] = _gone("roll", named), _gone("spiral", named)
     missing["damping_rs"] = "Roll and spiral are separate modes." if coupled is None else ""
     missing["delay"] = "The model has no actuator and no computer between stick and surface: give their delay."
+    parts = delays_of(model)
+    if delay is None and parts:
+        notes["delay"] = " and ".join(f"{value:.3g} s of {what}" for what, value in parts.items())
     return Measured(
         omega_sp=short_period and short_period.omega,
         zeta_sp=short_period and short_period.zeta,
@@ -124,15 +127,20 @@ def _elevator(model: LinearModel) -> NDArray[np.float64] | None:
 
 
 def delay_of(model: LinearModel) -> float | None:
-    """The delay that the model holds between stick and surface [s]: its slowest actuator, and half a frame of hold.
+    """The delay that the model holds between stick and surface [s], the sum of `delays_of`. None without any."""
+    return sum(delays_of(model).values()) or None
 
-    A lag counts by the slope of its phase at low frequency, the sum of -1/s over its roots. None without either.
+
+def delays_of(model: LinearModel) -> dict[str, float]:
+    """What comes between stick and surface in a model, and its delay [s]: the slowest actuator, half a frame of hold.
+
+    A lag counts by the slope of its phase at low frequency, the sum of -1/s over its roots. Sensors are no part of it:
+    they stand in the feedback, and the stick does not pass through them.
     """
     lags = [_lag(model, surface) for surface in ("elevator", "aileron", "rudder")]
     slowest = max((lag for lag in lags if lag is not None), default=None)
-    if slowest is None and model.dt is None:
-        return None
-    return (slowest or 0.0) + 0.5 * (model.dt or 0.0)
+    found = {} if slowest is None else {"the slowest actuator": slowest}
+    return found if model.dt is None else found | {"half a frame": 0.5 * model.dt}
 
 
 def _lag(model: LinearModel, surface: str) -> float | None:

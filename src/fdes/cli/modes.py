@@ -1,8 +1,6 @@
 """`fdes modes`: the natural modes of an aircraft, Nelson's approximations to them, and the static figures."""
 
-from typing import TYPE_CHECKING, Annotated
-
-import typer
+from typing import TYPE_CHECKING
 
 from fdes.cli.law import show_law, show_margins
 from fdes.cli.options import (
@@ -14,13 +12,14 @@ from fdes.cli.options import (
     LawText,
     OnActuators,
     PlotFile,
+    Sampled,
     VariantName,
     chosen,
     designed_law,
     form_of_equations,
+    frame_of,
 )
 from fdes.cli.output import about, heading, number, print_json, screen, table
-from fdes.errors import SpecError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,10 +42,7 @@ def modes(
     variant: VariantName = "corrected",
     changes: Changes = None,
     law: LawText = None,
-    sampled: Annotated[
-        float | None,
-        typer.Option(metavar="HZ", help="From frame to frame, as it is flown, this many a second; laws designed in z."),
-    ] = None,
+    sampled: Sampled = None,
     actuators: OnActuators = False,
     plot: PlotFile = None,
     json: AsJson = False,
@@ -109,9 +105,7 @@ def _closed(
     from fdes.analysis.margins import costs
     from fdes.flight.actuated import actuators_of
 
-    if sampled is not None and not 0.0 < sampled < float("inf"):
-        raise SpecError(f"A loop cannot be sampled {sampled:g} times a second: write --sampled 120, or the like.")
-    dt = None if sampled is None else 1.0 / sampled
+    dt = frame_of(sampled)
     designed = designed_law(text, ready, form, dt)
     on = actuators_of(ready) if actuators else None
     found = modes_of(close(ready, designed.law, dt, on, form))

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fdes.errors import NoSuchPart
+from fdes.errors import NoSuchPart, SpecError
 
 if TYPE_CHECKING:
     from fdes.aircraft import FlightCondition
@@ -53,6 +53,10 @@ LawText = Annotated[
 OnActuators = Annotated[
     bool, typer.Option("--actuators", metavar=FLAG, help="Move the surfaces by the actuators that are assumed.")
 ]
+Sampled = Annotated[
+    float | None,
+    typer.Option(metavar="HZ", help="From frame to frame, as it is flown, this many a second; laws designed in z."),
+]
 
 AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
 
@@ -76,6 +80,13 @@ def designed_law(
 
     said, own = own_laws(text)
     return law_for(said, ready, form, dt, frame, own)
+
+
+def frame_of(sampled: float | None) -> float | None:
+    """The length of a frame [s] of so many a second; None is continuous. Raises SpecError."""
+    if sampled is not None and not 0.0 < sampled < float("inf"):
+        raise SpecError(f"A loop cannot be sampled {sampled:g} times a second: write --sampled 120, or the like.")
+    return None if sampled is None else 1.0 / sampled
 
 
 def form_of_equations(form: str) -> "Form":

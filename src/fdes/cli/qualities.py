@@ -13,10 +13,12 @@ from fdes.cli.options import (
     LawText,
     OnActuators,
     PlotFile,
+    Sampled,
     VariantName,
     chosen,
     designed_law,
     form_of_equations,
+    frame_of,
 )
 from fdes.cli.output import about, heading, number, print_json, screen, table
 from fdes.errors import SpecError
@@ -65,6 +67,7 @@ def qualities(
     changes: Changes = None,
     law: LawText = None,
     actuators: OnActuators = False,
+    sampled: Sampled = None,
     flying_class: ClassName = None,
     category: CategoryName = None,
     phase: PhaseName = None,
@@ -92,7 +95,8 @@ def qualities(
     """Levels of flying qualities by MIL-F-8785C, their margins, and what to change to reach the next Level.
 
     Name an aircraft, or one criterion with what it reads. What is left out limits the verdict, which says so. With
-    --law the closed loop is judged, continuous, and its gains are among what may be changed.
+    --law the closed loop is judged, and its gains are among what may be changed: continuous, without actuators and
+    with no delay between stick and surface, unless --sampled or --actuators asks for them.
     """
     from fdes.cli.plot import target_of
 
@@ -115,8 +119,8 @@ def qualities(
     known = {name: value for name, value in given.items() if value is not None}
     _check(known)
     if aircraft is None:
-        if changes or law or actuators:
-            raise SpecError("--set, --law and --actuators need an aircraft: name one.")
+        if changes or law or actuators or sampled is not None:
+            raise SpecError("--set, --law, --actuators and --sampled need an aircraft: name one.")
         _judge_numbers(known, criterion, (flying_class, category, phase), target, json)
         return
     if set(known) - {"delay"}:
@@ -133,13 +137,14 @@ def qualities(
 
     ready = chosen(aircraft, condition, variant, changes)
     role = role_of(ready.document, ready.condition).but(flying_class, category, phase)
-    designed = designed_law(law or "direct", ready, wanted) if law or actuators else None
+    dt = frame_of(sampled)
+    designed = designed_law(law or "direct", ready, wanted, dt) if law or actuators or dt else None
     on = actuators_of(ready) if actuators else None
 
     def loop(changed: "FlightCondition", other: "Law | None" = None) -> "LinearModel":
         if designed is None:
             return linear_model(changed, wanted)
-        return close(changed, other or designed.law, actuators=on, form=wanted)
+        return close(changed, other or designed.law, dt, on, wanted)
 
     measured = measure(loop(ready), delay, airframe=linear_model(ready, wanted))
     verdicts = judge(measured, role, _names(criterion))

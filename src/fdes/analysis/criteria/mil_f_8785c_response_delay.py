@@ -20,7 +20,9 @@ def evaluate(m: Measured, role: Role) -> Verdict:
     """By the delay between stick and surface; a model without anything between them has none to judge."""
     if m.delay is None:
         return DELAY.not_applicable(m.missing.get("delay", "delay, the equivalent time delay, is not given."))
-    return DELAY.graded(m.delay, LIMITS, f"The response comes {m.delay:.3g} s after the stick")
+    parts = m.notes.get("delay")
+    says = f"The response comes {m.delay:.3g} s after the stick" + (f", {parts}" if parts else "")
+    return DELAY.graded(m.delay, LIMITS, says)
 
 
 RESPONSE_DELAY = Criterion(
