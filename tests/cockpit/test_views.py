@@ -94,8 +94,6 @@ def test_pulling_raises_the_elevator_and_the_right_pedal_turns_the_rudder_right(
     pulled = landmarks(page)
     page.keyboard.up("ArrowDown")
     assert pulled["elevator"][1] < pulled["elevator at rest"][1] - 0.5
-    page.keyboard.press("r")
-    page.wait_for_function("() => Math.abs(fdes.drawn.theta - fdes.panel.start.theta) < 0.01 && fdes.drawn.t < 1")
     page.keyboard.down("x")
     page.wait_for_function("() => fdes.drawn.rudder < -0.05")
     kicked = landmarks(page)
@@ -123,6 +121,36 @@ def test_a_ghost_flies_beside_the_aircraft(page: Any) -> None:
     page.wait_for_timeout(300)
     assert page.evaluate(painted) == 0
     assert orange(page) == pytest.approx(alone, rel=0.02)
+
+
+def test_a_frozen_chart_goes_back_and_returns_with_the_flight(page: Any) -> None:
+    page.keyboard.press("f")
+    page.wait_for_function("() => fdes.link.has(1)")
+    page.evaluate(
+        """() => {
+          const { chart } = fdes;
+          const from = fdes.link.t;
+          const row = chart.values.slice(0, chart.channels.length);
+          chart.clear();
+          for (let k = -1800; k <= 0; k++) chart.record(from + k / 60, row);
+        }"""
+    )
+    past = page.get_by_label("Show an earlier part of the flight")
+    past.wait_for()
+    shown = """() => {
+      const { chart } = fdes;
+      return chart.times[chart.row(chart.since(chart.times[chart.row(-1)] - chart.past))];
+    }"""
+    latest = page.evaluate(shown)
+    past.focus()
+    page.keyboard.press("Home")
+    page.wait_for_function("() => fdes.chart.past > 5")
+    assert page.evaluate(shown) == pytest.approx(latest - page.evaluate("() => fdes.chart.past"), abs=0.05)
+    page.evaluate("() => document.activeElement.blur()")
+    page.keyboard.press("r")
+    page.keyboard.press("f")
+    past.wait_for(state="hidden")
+    assert page.evaluate("() => fdes.chart.past") == 0
 
 
 @pytest.mark.parametrize("theme", ["dark", "light"])

@@ -25,7 +25,7 @@ const query = new URLSearchParams(location.search);
 const theme = new Theme(query.get("theme"));
 const link = new Link(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${sessionName()}`);
 const stick = new StickInput();
-const chart = new StripChart(byId("chart"));
+const chart = new StripChart(byId("chart"), byId("past"));
 const panel = await InstrumentPanel.load(byId("instruments"), query.get("instruments")?.split(",").filter(Boolean));
 
 const cockpit = new Cockpit(

@@ -22,10 +22,10 @@ export class Path {
     if (NEEDED.some((name) => !(name in index))) return;
     const half = WIDE * span;
     let [count, slot] = [0, NaN];
-    for (let back = -chart.count; back < 0; back++) {
+    for (let back = chart.since(state.t - SECONDS); back < 0; back++) {
       const row = chart.row(back);
       const t = times[row];
-      if (t < state.t - SECONDS || Math.floor(t / EVERY) === slot || count >= MOST - 1) continue;
+      if (Math.floor(t / EVERY) === slot || count >= MOST - 1) continue;
       slot = Math.floor(t / EVERY);
       const at = row * channels.length;
       const [phi, theta, psi] = [values[at + index.phi], values[at + index.theta], values[at + index.psi]];

@@ -1,11 +1,13 @@
 /**
  * Strip charts: lanes of signals over the last 20 seconds. Every channel is kept, so that a signal chosen later shows
- * its past. Point at the chart to read values at an earlier time.
+ * its past. Point at the chart to read values at an earlier time; while time stands still a slider goes further back.
  */
 
 import { clamp, shown } from "./units.js";
 
 const SECONDS = 20;
+const KEPT = 120; // s
+const STILL = 400; // ms without a new row: time stands still
 const RATE = 60; // frames a second that are kept
 const LEFT = 44; // px for the numbers of the axis
 const RIGHT = 10;
@@ -47,13 +49,16 @@ const SYMBOLS = {
 export const symbol = (name) => SYMBOLS[name] ?? name.replaceAll("_", " ");
 
 export class StripChart {
-  constructor(canvas) {
+  /** `slider`: the input that goes back; shown when there is something to go back to. */
+  constructor(canvas, slider) {
     this.canvas = canvas;
+    this.slider = slider;
     this.context = canvas.getContext("2d");
     this.lanes = DEFAULT_LANES;
     this.limits = [];
     this.pointer = null;
     this.setChannels([]);
+    slider.addEventListener("input", () => (this.past = -Number(slider.value)));
     canvas.addEventListener("pointermove", ({ offsetX }) => (this.pointer = offsetX));
     canvas.addEventListener("pointerleave", () => (this.pointer = null));
   }
@@ -61,7 +66,7 @@ export class StripChart {
   setChannels(channels) {
     this.channels = channels;
     this.index = Object.fromEntries(channels.map(({ name }, i) => [name, i]));
-    this.rows = Math.ceil(SECONDS * RATE * 1.2);
+    this.rows = KEPT * RATE;
     this.times = new Float64Array(this.rows);
     this.values = new Float32Array(this.rows * channels.length);
     this.clear();
@@ -75,6 +80,8 @@ export class StripChart {
   clear() {
     this.count = 0;
     this.next = 0;
+    this.past = 0; // s before the last row at which the chart ends
+    this.recordedAt = 0;
   }
 
   /** Keeps the channel `values` of time `t` [s]. Time that runs back, or leaps, starts a new chart. */
@@ -88,6 +95,8 @@ export class StripChart {
     this.values.set(values.subarray(0, this.channels.length), this.next * this.channels.length);
     this.next = (this.next + 1) % this.rows;
     this.count = Math.min(this.rows, this.count + 1);
+    this.recordedAt = performance.now();
+    this.past = 0;
   }
 
   /** Index of the row `back` rows before the next one (-1: the last). */
@@ -95,15 +104,40 @@ export class StripChart {
     return (this.next + back + this.rows) % this.rows;
   }
 
+  /** The first of the kept rows at `t` [s] or later, counted back from the next one; 0 when there is none. */
+  since(t) {
+    let [low, high] = [-this.count, 0];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.times[this.row(middle)] < t) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** The slider is there while time stands still and more is kept than is shown. */
+  offerPast() {
+    const { slider } = this;
+    const kept = this.count ? this.times[this.row(-1)] - this.times[this.row(-this.count)] : 0;
+    const offered = kept > SECONDS && performance.now() - this.recordedAt > STILL;
+    if (slider.hidden !== offered) return;
+    slider.hidden = !offered;
+    slider.min = SECONDS - kept;
+    slider.value = 0;
+  }
+
   draw(colors, pixelRatio) {
+    this.offerPast();
     const { canvas, context } = this;
     const [width, height] = [canvas.width / pixelRatio, canvas.height / pixelRatio];
     context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = '11px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
     context.textBaseline = "middle";
-    const now = this.count ? this.times[this.row(-1)] : 0;
+    const now = this.count ? this.times[this.row(-1)] - this.past : 0;
     const frame = { colors, left: LEFT, right: width - RIGHT, from: now - SECONDS, now, pixelRatio };
+    frame.first = Math.max(-this.count, this.since(frame.from) - 1);
+    frame.end = this.past > 0 ? Math.min(0, this.since(now) + 1) : 0;
     frame.perSecond = (frame.right - frame.left) / SECONDS;
     frame.reading = this.pointed(frame);
     const laneHeight = (height - FOOT) / this.lanes.length;
@@ -116,10 +150,9 @@ export class StripChart {
   /** The row under the pointer, else the last one, else null. */
   pointed(frame) {
     if (!this.count) return null;
-    if (this.pointer === null) return this.row(-1);
+    if (this.pointer === null) return this.row(frame.end - 1);
     const t = frame.from + (clamp(this.pointer, frame.left, frame.right) - frame.left) / frame.perSecond;
-    for (let back = -1; back >= -this.count; back--) if (this.times[this.row(back)] <= t) return this.row(back);
-    return this.row(-this.count);
+    return this.row(Math.max(-this.count, this.since(t + 1e-9) - 1));
   }
 
   drawLane(i, names, frame) {
@@ -134,7 +167,7 @@ export class StripChart {
     context.fillStyle = colors.plot;
     context.fillRect(left, top, right - left, bottom - top);
     const axis = (this.limits[i] = limits(
-      this.extremes(series, frame.from),
+      this.extremes(series, frame),
       series[0]?.span ?? 1,
       this.limits[i],
       (bottom - top) / ROW,
@@ -153,11 +186,10 @@ export class StripChart {
     if (this.pointer !== null && frame.reading !== null) this.drawCursor(frame);
   }
 
-  extremes(series, from) {
+  extremes(series, { first, end }) {
     let [low, high] = [Infinity, -Infinity];
-    for (let back = -this.count; back < 0; back++) {
+    for (let back = first; back < end; back++) {
       const row = this.row(back);
-      if (this.times[row] < from) continue;
       for (const { column, factor } of series) {
         const value = this.values[row * this.channels.length + column] * factor;
         if (value < low) low = value;
@@ -228,14 +260,13 @@ export class StripChart {
   }
 
   /** One polyline. Where several samples share a pixel column, their smallest and largest are joined. */
-  drawSeries({ column, factor }, color, y, { left, from, perSecond, pixelRatio }) {
+  drawSeries({ column, factor }, color, y, { left, from, first, end, perSecond, pixelRatio }) {
     const { context } = this;
     const wide = this.channels.length;
     let [pixel, low, high, started] = [-1, 0, 0, false];
     context.beginPath();
-    for (let back = -this.count; back < 0; back++) {
+    for (let back = first; back < end; back++) {
       const row = this.row(back);
-      if (this.times[row] < from - 0.1) continue;
       const x = Math.round((left + (this.times[row] - from) * perSecond) * pixelRatio) / pixelRatio;
       const at = y(this.values[row * wide + column] * factor);
       if (x === pixel) {
