@@ -36,6 +36,15 @@ def test_an_experiment_reopens_what_flew() -> None:
     assert inputs == ["step aileron 1deg"]
 
 
+def test_all_laws_at_once_fit_into_an_experiment() -> None:
+    control = Control(
+        "yaw_damper; roll_rate_damper; spiral_stabilization; roll_angle; pitch_rate_damper; pitch_rate_pi"
+    )
+    craft = make_craft(load("A-4D").at(), control=control)
+    again, _ = opened(json.dumps(experiment_of(craft, FLEET, [])), FLEET)
+    assert again.fit.control.law == craft.fit.control.law
+
+
 def test_an_aircraft_that_the_server_does_not_offer_comes_along() -> None:
     craft = FLEET.first
     other = FLEET.opened(Path("tests/unit/mine.toml").read_text(encoding="utf-8"), craft)

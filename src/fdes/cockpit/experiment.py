@@ -20,6 +20,7 @@ from fdes.flight import Excitation
 
 MOST = 64  # changes, and inputs
 LONGEST = 400  # characters of a text
+LONGEST_LAW = 2000  # six laws with all digits of their gains
 
 
 class Experiment(BaseModel):
@@ -35,7 +36,7 @@ class Experiment(BaseModel):
     integrator: str = Field(default="rk4", max_length=LONGEST)
     step: float
     changes: list[str] = Field(default=[], max_length=MOST)
-    law: str = Field(default="direct", max_length=LONGEST)
+    law: str = Field(default="direct", max_length=LONGEST_LAW)
     sampled: bool = False
     actuators: bool = False
     inputs: list[str] = Field(default=[], max_length=MOST)

@@ -29,6 +29,7 @@ export class FlightControl {
     this.waiting = null;
     this.busy = false;
     this.control = null;
+    this.others = [];
     this.problem = html("p", { class: "problem", role: "alert" });
     this.notes = html("div", { class: "law-notes", role: "status" });
     this.switch = button("Engage", () => this.toggle());
@@ -75,6 +76,7 @@ export class FlightControl {
     const parts = new Map(control.text.split(";").map((part) => [part.trim().split(" ")[0], part.trim()]));
     const on = control.text !== NONE;
     if (on) this.last = control.text;
+    this.others = on ? [...parts].filter(([name]) => !(name in WORDS)).map(([, part]) => part) : []; // such as sensors
     if (!this.busy) {
       for (const [name, card] of this.cards) {
         const achieved = control.achieved.find(({ law }) => law === name);
@@ -95,7 +97,7 @@ export class FlightControl {
 
   /** One law flown as `text` says, or not at all; the others stay as they are. */
   engage(name, text) {
-    return this.fly([...this.cards].map(([other, { part }]) => (other === name ? text : part)).filter(Boolean));
+    return this.fly([...[...this.cards].map(([other, { part }]) => (other === name ? text : part)), ...this.others].filter(Boolean));
   }
 
   /** All on, as they were last, or all off. Resolves to a sentence that says which. */
@@ -108,7 +110,7 @@ export class FlightControl {
 
   /** The laws with a wish designed once more, in the domain that was chosen. */
   again() {
-    return this.fly([...this.cards.values()].map((card) => card.part && card.again()).filter(Boolean));
+    return this.fly([...[...this.cards.values()].map((card) => card.part && card.again()), ...this.others].filter(Boolean));
   }
 
   fly(parts) {
