@@ -1,6 +1,6 @@
 """What several commands ask for, declared once."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -80,6 +80,15 @@ def designed_law(
 
     said, own = own_laws(text)
     return law_for(said, ready, form, dt, frame, own)
+
+
+def law_in(path: str) -> Any:
+    """The law in a Python file, which is run. Raises SpecError."""
+    from pathlib import Path
+
+    from fdes.control.own_law import law_from_file
+
+    return law_from_file(Path(path))
 
 
 def frame_of(sampled: float | None) -> float | None:
