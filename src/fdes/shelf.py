@@ -33,7 +33,7 @@ class Shelf:
 
     def names(self) -> list[str]:
         """The names of all parts, sorted."""
-        return sorted({*self._own(), *self._foreign()})
+        return sorted({*self._own(), *_foreign(self.name)})
 
     def get(self, name: str) -> Any:
         """The part called `name`. Raises NoSuchPart with the nearest name."""
@@ -41,7 +41,7 @@ class Shelf:
             module = import_module(f"{self.package}.{name}")
             (part,) = module.__all__
             return getattr(module, part)
-        foreign = self._foreign()
+        foreign = _foreign(self.name)
         if name in foreign:
             return foreign[name].load()
         one = "criterion" if self.name == "criteria" else self.name.removesuffix("s")
@@ -50,8 +50,10 @@ class Shelf:
     def _own(self) -> list[str]:
         return [m.name for m in iter_modules(import_module(self.package).__path__)]
 
-    def _foreign(self) -> dict[str, Any]:
-        return {e.name: e for e in entry_points(group=f"fdes.{self.name}")}
+
+@cache  # looking through what is installed takes some 10 ms, and the cockpit asks in flight
+def _foreign(name: str) -> dict[str, Any]:
+    return {e.name: e for e in entry_points(group=f"fdes.{name}")}
 
 
 @cache
