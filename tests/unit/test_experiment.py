@@ -9,6 +9,7 @@ import pytest
 from fdes.aircraft import load
 from fdes.aircraft.role import role_of
 from fdes.cockpit.craft import make_craft
+from fdes.cockpit.excite import held as held_by_hand
 from fdes.cockpit.experiment import experiment_of, opened
 from fdes.cockpit.fleet import Fleet
 from fdes.cockpit.flight_control import Control
@@ -27,13 +28,15 @@ def test_an_experiment_reopens_what_flew() -> None:
     control = Control("yaw_damper gain=0.5", actuators=True)
     role = role_of(base.document, base.condition).but("II-L", "A")
     craft = make_craft(base, "nelson", "heun", 0.02, ["Cm_q*=0.5", "cg+=0.02"], role, control)
-    said = json.loads(json.dumps(experiment_of(craft, FLEET, ["step aileron 1deg"])))
+    held = {"elevator": 0.0349, "throttle": 0.1, "gust_w": -2.0}
+    said = json.loads(json.dumps(experiment_of(craft, FLEET, ["step aileron 1deg"], held)))
     assert "document" not in said
-    again, inputs = opened(json.dumps(said), FLEET)
+    again, opened_again = opened(json.dumps(said), FLEET)
     assert again.header() == craft.header()
     assert again.modes == craft.modes
     assert str(again.role) == str(craft.role)
-    assert inputs == ["step aileron 1deg"]
+    assert opened_again.inputs == ["step aileron 1deg"]
+    assert dict(map(held_by_hand, opened_again.held)) == held
 
 
 def test_all_laws_at_once_fit_into_an_experiment() -> None:
@@ -67,6 +70,8 @@ def test_an_aircraft_that_the_server_does_not_offer_comes_along() -> None:
         ({"form": "/tmp/form.py"}, "no form"),
         ({"integrator": "../rk4.py"}, "no integrator"),
         ({"inputs": ["measured elevator from /etc/passwd"]}, "input"),
+        ({"held": ["elevator 2deg; rudder 1deg"]}, "is incomplete"),
+        ({"held": ["elevatr 2deg"]}, "Did you mean 'elevator'"),
         ({"changes": ["Cm_q=__import__('os')"]}, "cannot be read"),
         ({"changes": ["/etc/passwd"]}, "not understood"),
         ({"changes": ["x=1"] * 100}, "changes"),

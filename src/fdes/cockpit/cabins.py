@@ -147,7 +147,8 @@ class Cabins:
                 work = session.start_recording if begin else session.stop_recording
                 return {"recording": await asyncio.to_thread(work)}
             case commands.Share():
-                return {"experiment": await asyncio.to_thread(experiment_of, session.flown, self.fleet, cabin.inputs)}
+                what = (session.flown, self.fleet, cabin.inputs, session.held)
+                return {"experiment": await asyncio.to_thread(experiment_of, *what)}
             case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft() | commands.OpenExperiment():
                 await self._fly(cabin, command)
             case _ if isinstance(command, Editing):
@@ -163,10 +164,10 @@ class Cabins:
     async def _fly(self, cabin: Cabin, command: Choosing) -> None:
         """Begin another flight; an experiment brings its inputs along."""
         if isinstance(command, commands.OpenExperiment):
-            craft, inputs = await asyncio.to_thread(opened, command.text, self.fleet)
+            craft, experiment = await asyncio.to_thread(opened, command.text, self.fleet)
             cabin.fly(craft)
-            for text in inputs:
-                self._excite(cabin, commands.PutIn(text))
+            for command_again in (*map(commands.PutIn, experiment.inputs), *map(commands.Hold, experiment.held)):
+                self._excite(cabin, command_again)
         else:
             cabin.fly(await asyncio.to_thread(self._craft, cabin.session.flown, command))
 

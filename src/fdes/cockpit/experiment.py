@@ -6,6 +6,8 @@ or for code.
 """
 
 import json
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
@@ -13,10 +15,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from fdes.aircraft import parse
 from fdes.aircraft.role import role_of
 from fdes.cockpit.craft import Craft, make_craft
+from fdes.cockpit.excite import held as held_by_hand
 from fdes.cockpit.fleet import Fleet
 from fdes.cockpit.flight_control import Control
 from fdes.errors import SpecError
 from fdes.flight import Excitation
+from fdes.flight.excitation import UNITS
 
 MOST = 64  # changes, and inputs
 LONGEST = 400  # characters of a text
@@ -40,14 +44,17 @@ class Experiment(BaseModel):
     sampled: bool = False
     actuators: bool = False
     inputs: list[str] = Field(default=[], max_length=MOST)
+    held: list[str] = Field(default=[], max_length=MOST)
     airplane_class: str | None = None
     category: str | None = None
     phase: str | None = None
     document: dict[str, Any] | None = None
 
 
-def experiment_of(craft: Craft, fleet: Fleet, inputs: list[str]) -> dict[str, Any]:
-    """The experiment that `craft` and the texts of its test inputs are."""
+def experiment_of(
+    craft: Craft, fleet: Fleet, inputs: list[str], held: Mapping[str, float] = MappingProxyType({})
+) -> dict[str, Any]:
+    """The experiment that `craft`, the texts of its test inputs and the values held by hand [SI] are."""
     base, control = craft.base, craft.fit.control
     offered = fleet.aircraft.get(base.aircraft_id)
     own = role_of(base.document, base.condition)
@@ -70,13 +77,14 @@ def experiment_of(craft: Craft, fleet: Fleet, inputs: list[str]) -> dict[str, An
         sampled=control.sampled,
         actuators=control.actuators,
         inputs=inputs,
+        held=[f"{channel} {value!r} {UNITS[channel]}".removesuffix(" 1") for channel, value in held.items()],
         document=None if offered and offered.document == base.document else dict(base.document),
         **asked,
     ).model_dump(exclude_defaults=True)
 
 
-def opened(text: str, fleet: Fleet) -> tuple[Craft, list[str]]:
-    """The craft of an experiment's text, and the inputs to put in when it flies. Raises FdesError."""
+def opened(text: str, fleet: Fleet) -> tuple[Craft, Experiment]:
+    """The craft of an experiment's text, and the experiment: what to put in when it flies. Raises FdesError."""
     try:
         said = Experiment.model_validate(json.loads(text))
     except ValidationError as wrong:
@@ -92,5 +100,7 @@ def opened(text: str, fleet: Fleet) -> tuple[Craft, list[str]]:
     base = aircraft.at(said.condition, said.variant)
     role = role_of(base.document, base.condition).but(said.airplane_class, said.category, said.phase)
     Excitation.parse(said.inputs)  # complains now, if it must
+    for text_of_one in said.held:
+        held_by_hand(text_of_one)
     control = Control(law=said.law, actuators=said.actuators, sampled=said.sampled)
-    return make_craft(base, said.form, said.integrator, said.step, said.changes, role, control), said.inputs
+    return make_craft(base, said.form, said.integrator, said.step, said.changes, role, control), said

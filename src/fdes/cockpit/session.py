@@ -57,6 +57,11 @@ class Session:
         """The craft of the flight."""
         return self._sortie.craft
 
+    @property
+    def held(self) -> dict[str, float]:
+        """What is held by hand [SI], by channel."""
+        return self._sortie.held
+
     def recording_name(self) -> str | None:
         """The name of the recording under way."""
         recorder = self._sortie.recorder
