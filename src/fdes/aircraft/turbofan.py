@@ -90,7 +90,7 @@ class TurbofanTables(Part):
             idle=newtons(self.idle),
             military=newtons(self.military),
             maximum=newtons(self.maximum),
-            throttle=Axis(self.throttle),
+            throttle=Axis(self.throttle, held=False),  # so that a trim can say by how much it falls short
             power=self.power,
             lag=PowerLag(**self.lag.model_dump()),
         )

@@ -4,21 +4,24 @@ Each aircraft has its own state, surfaces, air and numbers: a Monte Carlo over a
 The plain text in `fdes.physics` is what is compiled; tests/compiled holds the two together.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from fdes.kernel import Batch, batch
 from fdes.physics.aero import AirLoads, DerivativeAero, Flow, derivative_loads
-from fdes.physics.atmosphere import air_at, standard_atmosphere
+from fdes.physics.atmosphere import Atmosphere, air_at
 from fdes.physics.earth import FLAT, Earth
 from fdes.physics.integrators.rk4 import rk4
-from fdes.physics.plant import SixDof, State, air_loads, derivative
-from fdes.physics.propulsion import Engine
+from fdes.physics.plant import SixDof, State, air_loads, day_at, derivative, thrust_of
+from fdes.physics.propulsion import Engine, Thrust, thrust
 from fdes.physics.rigid_body import Inertia
 from fdes.physics.runge_kutta import Tableau
 from fdes.physics.signals import Air, Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.physics.wind import Wind
-from fdes.units import Kelvin
+from fdes.units import Kelvin, Meter, Number
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
 
 
 class Given(NamedTuple):
@@ -69,11 +72,25 @@ def loads_from_derivatives(plant: Airframe, flow: Flow, feel: Surfaces) -> AirLo
     return derivative_loads(plant.aero, flow, feel)
 
 
+def thrust_at_once(plant: Airframe, flow: Flow, h: Meter, throttle: Number, power: Number) -> Thrust:
+    """The thrust of an engine without a lag."""
+    return thrust(plant.engine, flow, throttle)
+
+
+def standard_day(plant: Airframe, h: Meter) -> Atmosphere:
+    """The standard atmosphere, without a branch."""
+    return air_at(h, plant.warmer)
+
+
 def flat_earth_batch(tableau: Tableau = rk4, lanes: int = 8) -> Batch:
     """A compiled solver for many aircraft that are made of derivatives, over a flat Earth.
 
     Columns are aircraft; rows of its three arrays are `states`, `inputs` and `parameters`. The quaternion is not made
     a unit again: over a flight of minutes it stays one to the order of the integrator.
     """
-    instead = {standard_atmosphere: air_at, air_loads: loads_from_derivatives}
+    instead: Mapping[Callable[..., Any], Callable[..., Any]] = {
+        day_at: standard_day,
+        air_loads: loads_from_derivatives,
+        thrust_of: thrust_at_once,
+    }
     return batch(rates, tableau, lanes, instead)

@@ -1,7 +1,8 @@
 """The nonlinear plant, linearized: the derivative that flies, differentiated by complex step.
 
 The states are those of the linear plant, along the stability axes of the trimmed flight, so that the two can be laid
-side by side. Thrust changes with speed and height as the engine's does, unless it is asked to be held.
+side by side. Thrust changes with speed and height as the engine's does, unless it is asked to be held. An engine with a
+lag is taken as settled: its power is no state here.
 
 Reference: W. Squire, G. Trapp, SIAM Review 40 (1998) 110-112.
 """
@@ -11,13 +12,14 @@ import numpy as np
 from fdes.analysis.linearize import INPUTS, STATES
 from fdes.analysis.trim import CALM, FREE, TINY, TrimPoint
 from fdes.control import LinearModel
-from fdes.elementary import cos, sin, tan
+from fdes.elementary import atan2, cos, sin, sqrt, tan
 from fdes.errors import SpecError
 from fdes.physics.attitude import product, quaternion
-from fdes.physics.plant import SixDof, State, instant
-from fdes.physics.propulsion import thrust
+from fdes.physics.plant import SixDof, State, instant, thrust_of
+from fdes.physics.propulsion import Engine, Thrust, at_once, no_power
 from fdes.physics.signals import Outputs, Surfaces, channels
 from fdes.physics.small_perturbation import PerturbationState
+from fdes.units import Number
 
 OUTPUTS = (
     *("V", "mach", "cas", "alpha", "beta", "gamma", "phi", "theta", "p", "q", "r"),
@@ -35,9 +37,7 @@ def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
         raise SpecError("Only straight flight without sideslip is linearized: leave turn and beta out of the trim.")
     plant = point.plant._replace(limits=FREE)
     if thrust_held:
-        engine = plant.engine._replace(with_speed=0.0, with_density=0.0)
-        now = thrust_ratio(plant, point)
-        plant = plant._replace(engine=engine._replace(T_max=engine.T_max * now))
+        plant = plant._replace(engine=engine_held(point), propulsion=at_once, settled=no_power)
     size, columns = len(STATES), []
     for k in range(size + len(INPUTS)):
         z = [complex(0.0, TINY if i == k else 0.0) for i in range(size + len(INPUTS))]
@@ -66,14 +66,22 @@ def perturbed(point: TrimPoint, by: PerturbationState) -> State:
     attitude = product(quaternion(by.phi, gamma + by.theta, by.psi), quaternion(zero, zero + alpha, zero))
     place = [by.north, by.east, zero - point.spec.h - by.h]
     motion = [level * ca - by.w * sa, V * by.beta, level * sa + by.w * ca]
-    return State._make([*place, *motion, *attitude, by.p * ca - by.r * sa, by.q, by.p * sa + by.r * ca])
+    rates = [by.p * ca - by.r * sa, by.q, by.p * sa + by.r * ca]
+    return State._make([*place, *motion, *attitude, *rates, point.state.power])
 
 
-def thrust_ratio(plant: SixDof, point: TrimPoint) -> float:
-    """The engine's largest thrust in the trimmed flight, over T_max."""
-    flow = instant(plant, point.state, Surfaces(throttle=point.surfaces.throttle), CALM).flow
-    now, full = (thrust(e, flow, 1.0) for e in (plant.engine, plant.engine._replace(with_speed=0.0, with_density=0.0)))
-    return now.X / full.X if full.X else 1.0
+def thrust_at(point: TrimPoint, throttle: Number) -> Thrust:
+    """The thrust in the trimmed flight, once the engine has settled at `throttle`."""
+    plant = point.plant
+    flow = instant(plant, point.state, plant.trim(), CALM).flow
+    return thrust_of(plant, flow, point.spec.h, throttle, plant.settled(plant.engine, throttle))
+
+
+def engine_held(point: TrimPoint) -> Engine:
+    """An engine whose thrust is that of the trimmed flight, in proportion to the throttle and to nothing else."""
+    throttle = point.surfaces.throttle or 1.0
+    push = thrust_at(point, throttle)
+    return Engine(T_max=sqrt(push.X * push.X + push.Z * push.Z) / throttle, tilt=atan2(-push.Z, push.X))
 
 
 def _rates_and_outputs(plant: SixDof, point: TrimPoint, z: list[complex]) -> list[complex]:
@@ -83,7 +91,7 @@ def _rates_and_outputs(plant: SixDof, point: TrimPoint, z: list[complex]) -> lis
     zero = 0.0 * u
     by = PerturbationState(u, w, q, theta, beta, p, r, phi, zero, zero, zero, zero)  # type: ignore[arg-type]
     held = Surfaces(elevator, aileron, rudder, point.surfaces.throttle + throttle)  # type: ignore[arg-type]
-    x = perturbed(point, by)
+    x = perturbed(point, by)._replace(power=plant.settled(plant.engine, held.throttle))
     d = plant.derivative(x, held, CALM)
     along, across = d.u * ca + d.w * sa, d.w * ca - d.u * sa
     roll, yaw = d.p * ca + d.r * sa, d.r * ca - d.p * sa

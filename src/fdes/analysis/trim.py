@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from fdes.elementary import atan2, cos, sin, sqrt
 from fdes.errors import NoSuchPart, SpecError, TrimError
+from fdes.physics.aero import derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.attitude import quaternion
 from fdes.physics.plant import SixDof, State
@@ -29,6 +30,7 @@ CALM = Air()
 TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS, HALVINGS = 25, 6
+OTHER_STARTS = tuple(alpha * DEG for alpha in (2.0, 7.0, 12.0, 17.0, 27.0, 37.0))  # between breakpoints of 5 deg
 TRIED = tuple(1.1 ** (s * k) for k in range(1, 13) for s in (1, -1))  # of the speed asked for: a third to three times
 STEEPEST = 80.0 * DEG
 HIGHEST = 80000.0  # m
@@ -181,10 +183,22 @@ def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
 
 
 def solve(plant: SixDof, spec: TrimSpec) -> TrimPoint:
-    """The nearest to a balance that Newton's method finds, whatever the stops are."""
+    """The nearest to a balance that Newton's method finds, whatever the stops are.
+
+    It begins at the angle of attack of the plant's initial flight. Where that leads nowhere, as it may across the kinks
+    of tables, it begins at others; derivatives have no kinks.
+    """
+    first = solve_from(plant, spec, atan2(plant.initial.w, plant.initial.u))
+    if first.residual < ENOUGH or plant.aerodynamics is derivative_loads:
+        return first
+    points = [first, *(solve_from(plant, spec, alpha) for alpha in OTHER_STARTS)]
+    return min(points, key=lambda point: point.residual)
+
+
+def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
+    """The nearest to a balance that Newton's method finds from that angle of attack [rad]."""
     free = plant._replace(limits=FREE, rest=Surfaces())
-    reference = plant.initial
-    z = np.array([atan2(reference.w, reference.u), _bank(plant, spec), 0.0, 0.0, 0.0, plant.rest.throttle])
+    z = np.array([alpha, _bank(plant, spec), 0.0, 0.0, 0.0, plant.rest.throttle])
     residual = _accelerations(free, spec, z)
     iterations = 0
     while iterations < ITERATIONS and _size(residual) > ENOUGH:
@@ -201,6 +215,7 @@ def solve(plant: SixDof, spec: TrimSpec) -> TrimPoint:
     alpha, phi, *controls = (float(v) for v in z)
     state, theta = _state(spec, alpha, phi)
     surfaces = Surfaces(*controls)
+    state = state._replace(power=plant.settled(plant.engine, surfaces.throttle))
     flown = plant._replace(initial=state, rest=surfaces)
     return TrimPoint(spec, alpha, phi, theta, surfaces, state, _size(residual), iterations, flown)
 
@@ -232,7 +247,8 @@ def _six(plant: SixDof, spec: TrimSpec, z: list[float] | list[complex]) -> list[
     """u_dot, v_dot, w_dot [m/s^2], p_dot, q_dot, r_dot [rad/s^2]."""
     alpha, phi, *controls = z
     x, _ = _state(spec, alpha, phi)  # type: ignore[arg-type]  # a complex one, for the Jacobian
-    rate = plant.derivative(x, Surfaces(*controls), CALM)
+    held = Surfaces(*controls)
+    rate = plant.derivative(x._replace(power=plant.settled(plant.engine, held.throttle)), held, CALM)
     return [rate.u, rate.v, rate.w, rate.p, rate.q, rate.r]
 
 

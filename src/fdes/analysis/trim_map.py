@@ -5,15 +5,17 @@ The specific excess power is that of level flight: (available less required thru
 throttle would begin. Reference: J. D. Anderson, Aircraft Performance and Design, McGraw-Hill 1999, ch. 5.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from fdes.analysis.drawing import COLORS, LINES, Curve, Drawing, Panel
-from fdes.analysis.jacobian import thrust_ratio
+from fdes.analysis.jacobian import thrust_at
 from fdes.analysis.trim import TrimPoint, TrimSpec, shortfalls, solve
 from fdes.physics.plant import SixDof
+from fdes.physics.propulsion import Thrust
 from fdes.units import DEG, FOOT, G0
 
 SLOWEST, FASTEST, STEPS = 0.25, 4.0, 60  # of the speed asked for, where the search looks, in so many equal ratios
@@ -63,9 +65,13 @@ def _line(plant: SixDof, spec: TrimSpec) -> TrimLine | None:
     slow, slow_end = _end(plant, spec, float(tried[first]), float(tried[first - 1]) if first else None)
     fast, fast_end = _end(plant, spec, float(tried[last]), float(tried[last + 1]) if last + 1 < STEPS else None)
     points = tuple(solve(plant, spec._replace(V=float(V))) for V in np.linspace(slow, fast, COUNT))
-    full = [plant.engine.T_max * thrust_ratio(plant, point) for point in points]
-    need = tuple(T * point.surfaces.throttle for T, point in zip(full, points, strict=True))
-    return TrimLine(spec.h, points, need, tuple(full), slow_end, fast_end)
+    full = tuple(_size(thrust_at(point, 1.0)) for point in points)
+    need = tuple(_size(thrust_at(point, point.surfaces.throttle)) for point in points)
+    return TrimLine(spec.h, points, need, full, slow_end, fast_end)
+
+
+def _size(thrust: Thrust) -> float:
+    return math.hypot(thrust.X, thrust.Z)
 
 
 def _short(plant: SixDof, spec: TrimSpec, V: float) -> str:

@@ -115,7 +115,10 @@ def _line_as_json(line: "TrimLine") -> dict[str, Any]:
 
 
 def _show(point: "TrimPoint", title: str) -> None:
+    from fdes.physics.aero import derivative_loads
+
     spec, surfaces = point.spec, point.surfaces
+    elevator = "elevator, from the condition's" if point.plant.aerodynamics is derivative_loads else "elevator"
     screen().print(f"{title}: V = {spec.V:.4g} m/s, h = {spec.h:,.0f} m", style="bold")
     drawn = table("quantity", "value", "unit")
     for name, value, unit in (
@@ -125,7 +128,7 @@ def _show(point: "TrimPoint", title: str) -> None:
         ("angle of attack", point.alpha / DEG, "deg"),
         ("pitch", point.theta / DEG, "deg"),
         ("bank", point.phi / DEG, "deg"),
-        ("elevator, from the condition's", surfaces.elevator / DEG, "deg"),
+        (elevator, surfaces.elevator / DEG, "deg"),
         ("aileron", surfaces.aileron / DEG, "deg"),
         ("rudder", surfaces.rudder / DEG, "deg"),
         ("throttle", surfaces.throttle, "of 1"),

@@ -5,14 +5,18 @@ by `assumptions`, and whoever flies the plant should show it.
 """
 
 from fdes.aircraft import FlightCondition
+from fdes.aircraft.terms import Terms
 from fdes.errors import SpecError
 from fdes.physics.aero import DerivativeAero, derivative_aero, derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
+from fdes.physics.derivatives import Coefficients
 from fdes.physics.earth import FLAT
 from fdes.physics.plant import SixDof, state_at
-from fdes.physics.propulsion import JET_LAPSE, assumed_engine
+from fdes.physics.propulsion import JET_LAPSE, Engine, assumed_engine
 from fdes.physics.rigid_body import Inertia
 from fdes.physics.signals import Surfaces
+from fdes.physics.terms import term_loads
+from fdes.physics.turbofan import commanded_power, turbofan
 from fdes.shelf import shelf
 
 
@@ -27,6 +31,8 @@ def six_dof_of(condition: FlightCondition, integrator: str = "rk4") -> SixDof:
             "derivatives, which hold at one speed and height alone. Fly the linear plant, or another aircraft."
         )
     ref = condition.reference
+    if condition.tables:
+        return _of_tables(condition, condition.tables, integrator)
     air = standard_atmosphere(ref.h)
     return SixDof(
         inertia=Inertia(ref.m, ref.Ix, ref.Iy, ref.Iz, ref.Ixz),
@@ -41,8 +47,41 @@ def six_dof_of(condition: FlightCondition, integrator: str = "rk4") -> SixDof:
     )
 
 
+def _of_tables(condition: FlightCondition, tables: Terms, integrator: str) -> SixDof:
+    """The plant whose aerodynamics are tables; its engine too, where the file has such."""
+    changed = [change.name for change in condition.changes if change.name in Coefficients._fields]
+    if changed:
+        raise SpecError(
+            f"{condition.aircraft_id} cannot fly nonlinear with {changed[0]} changed: there its aerodynamics are "
+            "tables, not derivatives. Leave that change out, or fly the linear plant."
+        )
+    ref = condition.reference
+    engine = condition.turbofan
+    plant = SixDof(
+        inertia=Inertia(ref.m, ref.Ix, ref.Iy, ref.Iz, ref.Ixz),
+        aero=tables.aero(ref.S, ref.b, ref.c, condition.cg or 0.0),
+        aerodynamics=term_loads,
+        earth=FLAT._replace(g=ref.g),
+        initial=state_at(FLAT, (0.0, 0.0, ref.h), (ref.V, 0.0, 0.0), (0.0, ref.alpha, 0.0)),
+        limits=condition.limits,
+        integrator=shelf("integrators").get(integrator),
+        engine=Engine(T_max=ref.T_max),
+        rest=Surfaces(throttle=condition.trim_throttle),
+    )
+    if engine is None:
+        return plant
+    return plant._replace(
+        inertia=plant.inertia._replace(Hx=engine.angular_momentum.si(condition.variant)),
+        engine=engine.engine(),
+        propulsion=turbofan,
+        settled=commanded_power,
+    )
+
+
 def assumptions(condition: FlightCondition, plant: SixDof) -> list[str]:
     """What no source says of this plant, as sentences."""
+    if condition.tables:
+        return _of_tables_sentences(condition, condition.tables)
     aero: DerivativeAero = plant.aero
     engine = (
         "as the density, and as 1/V above half the condition's speed, as of a propeller at constant power"
@@ -55,6 +94,20 @@ def assumptions(condition: FlightCondition, plant: SixDof) -> list[str]:
         f"Assumed: thrust changes {engine}. It acts along the flight path of the condition.",
         f"The drag polar is CD = {aero.CD_0:.4f} + {aero.K:.4f} CL^2, through the condition with its CD_alpha.",
         f"Derivatives hold at Mach {condition.reference.mach:g}: those with Mach act on the difference to it.",
+    ]
+
+
+def _of_tables_sentences(condition: FlightCondition, tables: Terms) -> list[str]:
+    ends = ", ".join(
+        f"{name} from {axis.breakpoints[0]:g} to {axis.breakpoints[-1]:g} {axis.unit}"
+        for name, axis in tables.axes.items()
+        if not axis.mirrored
+    )
+    beyond = "held" if tables.beyond == "hold" else "extrapolated"
+    thrust = "" if condition.turbofan else " Assumed: thrust does not change with speed or height."
+    return [
+        f"Aerodynamics are tables: {ends}; beyond these they are {beyond}.{thrust}",
+        f"Lineage of the tables: {tables.lineage}.",
     ]
 
 

@@ -7,7 +7,7 @@ Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simul
 """
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from fdes.elementary import atan2, cos, largest, sin, sqrt, where
 from fdes.errors import Departed
@@ -27,7 +27,7 @@ from fdes.physics.attitude import (
     turned_back,
 )
 from fdes.physics.earth import Earth, Place, gravitation, local_quaternion, place, position
-from fdes.physics.propulsion import Engine, thrust
+from fdes.physics.propulsion import Engine, Thrust, at_once, no_power
 from fdes.physics.rigid_body import Inertia, Loads, acceleration, angular_acceleration, cross
 from fdes.physics.runge_kutta import Tableau, Vector, step
 from fdes.physics.signals import Air, Outputs, Surfaces
@@ -40,7 +40,7 @@ MARGIN: Meter = 100.0  # to the ends of the atmosphere: no step goes as far
 
 class State(NamedTuple):
     """Position in the Earth frame; velocity over the Earth and rates in inertial space, in body axes; attitude as the
-    quaternion from body axes to the Earth frame.
+    quaternion from body axes to the Earth frame; power of an engine with a lag.
     """
 
     x: Meter
@@ -56,13 +56,15 @@ class State(NamedTuple):
     p: RadianPerSecond
     q: RadianPerSecond
     r: RadianPerSecond
+    power: Annotated[float, "%"] = 0.0
 
 
 class SixDof(NamedTuple):
     """The nonlinear plant: an airframe in its surroundings, and the three questions every plant answers.
 
-    aerodynamics(aero, flow, surfaces) gives the loads. initial: where flights begin. rest: the surfaces that the face
-    calls zero, and its throttle.
+    aerodynamics(aero, flow, surfaces) gives the loads, propulsion(engine, flow, h, throttle, power) the thrust, and
+    settled(engine, throttle) the power that an engine with a lag comes to; engine: what these two are given.
+    initial: where flights begin. rest: the surfaces that the face calls zero, and its throttle.
     """
 
     inertia: Inertia
@@ -72,10 +74,13 @@ class SixDof(NamedTuple):
     initial: State
     limits: Limits
     integrator: Tableau
-    engine: Engine = Engine()
+    engine: Any = Engine()
     rest: Surfaces = Surfaces()
     wind: Wind = Wind()
     warmer: Kelvin = 0.0
+    propulsion: Callable[[Any, Flow, Meter, Number, Number], Thrust] = at_once
+    settled: Callable[[Any, Number], Number] = no_power
+    atmosphere: Callable[[Meter, Kelvin], Atmosphere] = standard_atmosphere
 
     def start(self, height: Meter | None = None) -> State:
         """The initial state, moved up or down to `height` above mean sea level where one is given."""
@@ -119,13 +124,13 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
     earth, body = plant.earth, plant.inertia
     R = rotation(x.e0, x.e1, x.e2, x.e3)
     here = place(earth, x.x, x.y, x.z)
-    day = standard_atmosphere(here.h, plant.warmer)
+    day = day_at(plant, here.h)
     Omega = turned_back(R, 0.0, 0.0, earth.Omega)
     over_earth = x.p - Omega[0], x.q - Omega[1], x.r - Omega[2]
     flow = _flow(plant, x, R, here, day, over_earth, air)
     feel = surfaces(plant, held)
     aero = air_loads(plant, flow, feel)
-    push = thrust(plant.engine, flow, feel.throttle)
+    push = thrust_of(plant, flow, here.h, feel.throttle, x.power)
     gx, gy, gz = gravitation(earth, x.x, x.y, x.z)
     spin = earth.Omega * earth.Omega
     pull = turned_back(R, gx + spin * x.x, gy + spin * x.y, gz)  # with the centrifugal part
@@ -139,6 +144,7 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
         *moved,
         *quaternion_rate(x.e0, x.e1, x.e2, x.e3, *over_earth),
         *angular_acceleration(body, x.p, x.q, x.r, loads.L, loads.M, loads.N),
+        push.power_dot,
     )
     return Instant(R, here, day, flow, loads, rate)
 
@@ -146,6 +152,16 @@ def instant(plant: SixDof, x: State, held: Surfaces, air: Air) -> Instant:
 def air_loads(plant: SixDof, flow: Flow, feel: Surfaces) -> AirLoads:
     """What the plant's own aerodynamics say. A compiled plant has those of one kind in its place."""
     return plant.aerodynamics(plant.aero, flow, feel)
+
+
+def thrust_of(plant: SixDof, flow: Flow, h: Meter, throttle: Number, power: Number) -> Thrust:
+    """What the plant's own engine gives. A compiled plant has one of one kind in its place."""
+    return plant.propulsion(plant.engine, flow, h, throttle, power)
+
+
+def day_at(plant: SixDof, h: Meter) -> Atmosphere:
+    """The plant's own air at rest. A compiled plant has the standard one in its place."""
+    return plant.atmosphere(h, plant.warmer)
 
 
 def _flow(plant: SixDof, x: State, R: Rotation, here: Place, day: Atmosphere, rates: Three, air: Air) -> Flow:

@@ -3,11 +3,11 @@
 Sources of stability derivatives say nothing of the engine, so its numbers are assumed: `assumed_engine` says how.
 """
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from fdes.elementary import cos, pow, sin, where
 from fdes.physics.aero import Flow
-from fdes.units import KilogramPerMeter3, MeterPerSecond, Newton, Number, Radian
+from fdes.units import KilogramPerMeter3, Meter, MeterPerSecond, Newton, Number, Radian
 
 JET_LAPSE = 0.7  # of thrust with density, a common assumption below the tropopause; assumed
 PROPELLER_LAPSE = 1.0  # of power with density, of an engine without a supercharger; assumed
@@ -29,10 +29,11 @@ class Engine(NamedTuple):
 
 
 class Thrust(NamedTuple):
-    """Its components in body axes; its line passes through the center of gravity."""
+    """Its components in body axes; its line passes through the center of gravity. power_dot: where there is a lag."""
 
     X: Newton
     Z: Newton
+    power_dot: Annotated[float, "%/s"] = 0.0
 
 
 def thrust(engine: Engine, flow: Flow, throttle: Number) -> Thrust:
@@ -40,7 +41,17 @@ def thrust(engine: Engine, flow: Flow, throttle: Number) -> Thrust:
     ratio = flow.V / engine.V_ref
     of_speed = pow(where(ratio.real > SLOW, ratio, SLOW), engine.with_speed)
     T = engine.T_max * throttle * of_speed * pow(flow.rho / engine.rho_ref, engine.with_density)
-    return Thrust(T * cos(engine.tilt), -T * sin(engine.tilt))
+    return Thrust(T * cos(engine.tilt), -T * sin(engine.tilt), 0.0)
+
+
+def at_once(engine: Engine, flow: Flow, h: Meter, throttle: Number, power: Number) -> Thrust:
+    """The thrust of an engine without a lag, which knows no power but its throttle."""
+    return thrust(engine, flow, throttle)
+
+
+def no_power(engine: Engine, throttle: Number) -> Number:
+    """The power at which an engine without a lag has settled: it has none."""
+    return 0.0
 
 
 def assumed_engine(

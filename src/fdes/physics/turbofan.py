@@ -9,6 +9,7 @@ RTAU and THRUST, after L. T. Nguyen et al., NASA TP-1538, 1979.
 from typing import Annotated, NamedTuple
 
 from fdes.elementary import where
+from fdes.physics.aero import Flow
 from fdes.physics.propulsion import Thrust
 from fdes.physics.tables import Axis, Row, grid_at, row_at, spot
 from fdes.units import Meter, Number
@@ -75,4 +76,10 @@ def turbofan_thrust(engine: Turbofan, mach: Number, h: Meter, power: Power) -> T
     dry = power.real < MILITARY
     other = grid_at(engine.idle if dry else engine.maximum, row, column)
     share = (MILITARY - power) / MILITARY if dry else (power - MILITARY) / MILITARY
-    return Thrust(military + share * (other - military), 0.0 * mach)
+    return Thrust(military + share * (other - military), 0.0)
+
+
+def turbofan(engine: Turbofan, flow: Flow, h: Meter, throttle: Number, power: Power) -> Thrust:
+    """Its thrust at that power, and how the power follows the throttle."""
+    push = turbofan_thrust(engine, flow.mach, h, power)
+    return push._replace(power_dot=power_rate(engine.lag, power, commanded_power(engine, throttle)))
