@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from fdes.aircraft import load
-from fdes.analysis import linear_model, modes
+from fdes.analysis import linear_model, linearize, modes
 from fdes.analysis.closed_loop import close, with_actuators
 from fdes.control import Law, LinearModel
 from fdes.control.blocks import Delay, Past
@@ -223,3 +223,13 @@ def test_outputs_of_the_model_are_those_of_the_plant(name: str) -> None:
     state = np.array([getattr(x, s) for s in model.states])
     surfaces = np.array([getattr(held, i) - getattr(trim, i) for i in model.inputs])
     assert moved == pytest.approx((model.C @ state + model.D @ surfaces)[0], rel=1e-4, abs=1e-12)
+
+
+def test_states_that_are_shown_as_they_are_need_no_differences(monkeypatch: pytest.MonkeyPatch) -> None:
+    names = linearize.AS_THEY_ARE
+    known = linear_model(A4D, outputs=names)
+    monkeypatch.setattr(linearize, "AS_THEY_ARE", ())
+    found = linear_model(A4D, outputs=names)
+    np.testing.assert_array_equal(known.C, found.C)
+    np.testing.assert_array_equal(known.D, found.D)
+    assert known.units == found.units

@@ -19,6 +19,7 @@ from fdes.physics.small_perturbation import Limits, PerturbationState
 STATES = ("u", "w", "q", "theta", "beta", "p", "r", "phi")
 INPUTS = ("elevator", "throttle", "aileron", "rudder")
 NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
+AS_THEY_ARE = ("p", "q", "r", "phi")  # states that the plant shows as they are: most of what laws measure
 STEP = 2.0**-7  # of differences, in SI: a power of two, so that what is linear is differentiated without rounding
 
 
@@ -36,6 +37,9 @@ def linear_model(condition: FlightCondition, form: Form = "full", outputs: Seque
         **condition.reference._asdict(),
     }
     model = joined(condition.equations(form), point)
+    if outputs and set(outputs) <= set(AS_THEY_ARE):  # at once: the cockpit closes loops with each move of a slider
+        C = np.array([[float(state == name) for state in STATES] for name in outputs])
+        return replace(model, outputs=tuple(outputs), C=C, D=np.zeros((len(outputs), len(INPUTS))))
     return _observed(model, condition, form, tuple(outputs)) if outputs else model
 
 
