@@ -64,6 +64,14 @@ def test_the_key_goes_around_the_views(page: Any) -> None:
     assert cockpit == 0
 
 
+def test_a_second_press_while_the_first_view_is_fetched_counts(page: Any) -> None:
+    page.keyboard.press("v")
+    page.keyboard.press("v")
+    page.wait_for_function("() => fdes.cockpit.view === 'tower'")
+    page.wait_for_timeout(300)
+    assert page.get_by_role("button", name="Tower", exact=True).get_attribute("aria-pressed") == "true"
+
+
 def test_the_tower_keeps_the_aircraft_in_sight_and_zooms(page: Any) -> None:
     look(page, "Tower")
     at = landmarks(page)

@@ -56,7 +56,9 @@ export class Cockpit {
 
   /** From where one looks: "cockpit", "chase" (from behind) or "tower" (from beside the runway). */
   async setView(view) {
+    this.viewWanted = view;
     if (view !== "cockpit") await this.needOutside();
+    if (this.viewWanted !== view) return; // another one was asked for meanwhile
     this.view = view;
     this.figures.hidden = view === "cockpit";
   }

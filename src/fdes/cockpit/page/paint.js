@@ -15,7 +15,8 @@ export function onHorizon(context, cam, paint) {
   context.save();
   context.translate(cam.cx, cam.cy);
   context.rotate(-cam.phi);
-  context.translate(0, cam.f * Math.tan(clamp(cam.theta, -1.4, 1.4)));
-  paint(cam.width + cam.height);
+  const away = cam.f * Math.tan(clamp(cam.theta, -1.4, 1.4)); // far out of the picture for an eye that zooms
+  context.translate(0, away);
+  paint(cam.width + cam.height + Math.abs(away));
   context.restore();
 }

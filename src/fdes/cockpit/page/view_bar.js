@@ -11,7 +11,7 @@ const SAYS = {
 
 export class ViewBar {
   constructor(bar, cockpit, complain) {
-    Object.assign(this, { cockpit, complain });
+    Object.assign(this, { cockpit, complain, wanted: cockpit.view });
     this.buttons = VIEWS.map((view) =>
       html("button", { title: `${SAYS[view]} (V: next view)`, "aria-pressed": "false", onclick: () => this.show(view) }, name(view)),
     );
@@ -33,13 +33,15 @@ export class ViewBar {
   }
 
   next() {
-    return this.show(VIEWS[(VIEWS.indexOf(this.cockpit.view) + 1) % VIEWS.length]);
+    return this.show(VIEWS[(VIEWS.indexOf(this.wanted) + 1) % VIEWS.length]);
   }
 
   async show(view) {
+    this.wanted = view; // a view is fetched when it is first shown: the key may be pressed again meanwhile
     try {
       await this.cockpit.setView(view);
     } catch (error) {
+      this.wanted = this.cockpit.view;
       this.complain(`The ${view} view could not be fetched. ${error.message}`);
     }
     this.mark();
