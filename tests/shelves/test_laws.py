@@ -11,6 +11,7 @@ import pytest
 from fdes.aircraft import load
 from fdes.control import LinearModel, Stick
 from fdes.control.law import STICKS, SURFACES, Law
+from fdes.control.spoken import units_of
 from fdes.flight import Clock, Excitation, HandsOff, Setup, SteadyAir, fly, plant_of
 from fdes.physics.signals import Outputs, Surfaces
 from fdes.shelf import shelf
@@ -23,10 +24,12 @@ STICK = Stick(0.1, -0.2, 0.3, 0.4)
 
 
 def example(name: str) -> Law:
-    """The law of that name round the bare aircraft, every gain that has no default at 0.3."""
+    """The law of that name round the bare aircraft, every gain that has no default but zero at 0.3."""
     part = shelf("laws").get(name)
     given: dict[str, Any] = {"inner": shelf("laws").get("direct")(A4D.full_stick), "full_stick": A4D.full_stick}
-    return part(**{f.name: given.get(f.name, 0.3) for f in fields(part) if f.default is MISSING})
+    units = units_of(part)
+    said = [f.name for f in fields(part) if f.default is MISSING or (f.default == 0.0 and units[f.name] != "s")]
+    return part(**{name: given.get(name, 0.3) for name in said})
 
 
 @pytest.fixture(params=shelf("laws").names())

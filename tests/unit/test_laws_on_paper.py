@@ -37,14 +37,16 @@ def short(states: tuple[str, ...]) -> LinearModel:
     kept = np.array([s in states for s in MODEL.states])
     rows = np.flatnonzero(kept)
     units = {name: MODEL.units[name] for name in (*states, *MODEL.inputs, *MODEL.outputs)}
-    ordered = tuple(s for s in MODEL.states if s in states)
-    return replace(
-        MODEL, A=MODEL.A[np.ix_(rows, rows)], B=MODEL.B[rows], C=MODEL.C[:, rows], states=ordered, units=units
-    )
+    names = tuple(s for s in MODEL.states if s in states)
+    return replace(MODEL, A=MODEL.A[np.ix_(rows, rows)], B=MODEL.B[rows], C=MODEL.C[:, rows], states=names, units=units)
+
+
+def ordered(found: object) -> np.ndarray:
+    return np.sort_complex(np.asarray(found, dtype=complex))
 
 
 def roots(model: LinearModel, law: Law) -> np.ndarray:
-    return np.sort_complex(np.linalg.eigvals(close(model, law).A))
+    return ordered(np.linalg.eigvals(close(model, law).A))
 
 
 def polynomials(model: LinearModel, signal: str, surface: str) -> tuple[Polynomial, Polynomial]:
@@ -62,7 +64,7 @@ def test_pitch_rate_damper(gain: float) -> None:
     model = short(("w", "q"))
     N, delta = polynomials(model, "q", "elevator")
     np.testing.assert_allclose(
-        roots(model, PitchRateDamper(BARE, gain)), np.sort_complex((delta - gain * N).roots()), rtol=1e-9
+        roots(model, PitchRateDamper(BARE, gain)), ordered((delta - gain * N).roots()), rtol=1e-9
     )
     # in derivatives: 2 zeta omega grows by -K M_de, M_de being negative (with M_wdot Z_de, which is small)
     more = -(gain * (D.M_de + D.M_wdot * D.Z_de))
@@ -76,7 +78,7 @@ def test_pitch_rate_pi() -> None:
     N, delta = polynomials(model, "q", "elevator")
     K, K_i = 0.3, 0.7
     expected = (S * delta - (K * S + K_i) * N).roots()
-    np.testing.assert_allclose(roots(model, PitchRatePi(BARE, K, K_i, 0.1)), np.sort_complex(expected), rtol=1e-9)
+    np.testing.assert_allclose(roots(model, PitchRatePi(BARE, K, K_i, 0.1)), ordered(expected), rtol=1e-9)
 
 
 def test_pitch_rate_pi_gives_the_rate_that_is_commanded() -> None:
@@ -114,7 +116,7 @@ def test_yaw_damper(washout: float) -> None:
     N, delta = polynomials(model, "r", "rudder")
     K, T = 0.4, washout
     expected = ((T * S + 1.0) * delta - K * T * S * N).roots()
-    np.testing.assert_allclose(roots(model, YawDamper(BARE, K, T)), np.sort_complex(expected), rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(roots(model, YawDamper(BARE, K, T)), ordered(expected), rtol=1e-6, atol=1e-9)
 
 
 def test_yaw_damper_without_washout_is_more_yaw_damping() -> None:

@@ -126,7 +126,7 @@ def test_a_spiral_that_only_the_loop_holds_needs_some_gain() -> None:
     condition = next(
         c for c in (load(n).at() for n in ("JetStar", "Convair880", "NAVION", "F-104A", "B747", "A-7A")) if grows(c)
     )
-    law = law_for("spiral_stabilization", condition).law
+    law: Any = law_for("spiral_stabilization", condition).law
     found = only(margins(condition, law))
     assert found.stable
     assert 0.0 < found.gain_reduction < 1.0

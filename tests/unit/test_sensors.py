@@ -106,6 +106,16 @@ def test_it_takes_over_at_rest_and_without_a_bump() -> None:
     assert command.elevator == pytest.approx(-0.03, abs=1e-15)
 
 
+@pytest.mark.parametrize(("lag", "delay"), TIMES)
+def test_started_in_steady_motion_the_law_inside_sees_no_change(lag: float, delay: float) -> None:
+    law = Sensors(INSIDE, lag, delay)
+    memory, inner = law.start(Y, Stick()), INSIDE.start(Y, Stick())
+    for _ in range(20):
+        command, memory = law.step(Y, Stick(), memory, DT)
+        expected, inner = INSIDE.step(Y, Stick(), inner, DT)
+        assert command == pytest.approx(expected, rel=1e-12)
+
+
 def test_lag_and_delay_can_be_turned_while_flying() -> None:
     """A slider from and to zero: the memory of one goes on in the other."""
     memory = Sensors(INSIDE).start(Y, Stick())

@@ -1,10 +1,10 @@
 """What must hold of every control law, tried on one: pure, finite, the same after a reset, as linear as it says.
 
-The law is put round the bare A-4D, what has no default at 0.3. Its linear model is compared with the Jacobian of a step
-by differences: exact for what is linear, so that a law is to be tried away from its limits.
+The law is put round the bare A-4D, gains that have no default but zero at 0.3. Its linear model is compared with the
+Jacobian of a step by differences: exact for what is linear, so that a law is to be tried away from its limits.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, fields
 from math import isfinite
 from typing import Any
@@ -16,6 +16,7 @@ from fdes.aircraft import FlightCondition, load
 from fdes.control import Law, LinearModel, Stick
 from fdes.control.law import STICKS, SURFACES
 from fdes.control.laws.direct import Direct
+from fdes.control.spoken import units_of
 from fdes.errors import Departed
 from fdes.flight import Clock, Excitation, HandsOff, Setup, SteadyAir, fly, plant_of
 from fdes.physics.signals import Outputs, Surfaces
@@ -26,7 +27,7 @@ DT = 1.0 / 120.0  # s
 SHORT = 1e-6  # s: a frame that is all but continuous
 JACOBIAN = 1e-9
 LIMIT = 1e-4
-UNKNOWN = 0.3  # of a gain that has no default
+UNKNOWN = 0.3  # of a gain that has no default but zero
 WARM = 50  # frames until a memory that fills up is full
 Y = Outputs(*[0.01 * (k + 1) for k in range(len(Outputs._fields))])
 STICK = Stick(0.1, -0.2, 0.3, 0.4)
@@ -68,12 +69,16 @@ Said = tuple[str, str] | None
 
 def _example(part: Any, condition: FlightCondition) -> Law:
     given = {"inner": Direct(condition.full_stick), "full_stick": condition.full_stick}
-    law: Law = part(**{f.name: given.get(f.name, UNKNOWN) for f in fields(part) if _has_no_default(f)})
+    units = units_of(part)
+    law: Law = part(**{f.name: given.get(f.name, UNKNOWN) for f in fields(part) if _is_to_be_said(f, units)})
     return law
 
 
-def _has_no_default(f: Any) -> bool:
-    return f.init and f.default is MISSING and f.default_factory is MISSING
+def _is_to_be_said(f: Any, units: Mapping[str, str]) -> bool:
+    """What has no default; and a gain that is zero by default, whose sign could not be seen."""
+    if not f.init or f.default_factory is not MISSING:
+        return False
+    return f.default is MISSING or (units.get(f.name, "s") != "s" and f.default == 0.0)
 
 
 def _frozen(law: Any, condition: FlightCondition) -> Said:
