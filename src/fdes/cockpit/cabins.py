@@ -34,6 +34,7 @@ PARTING = 0.5  # s
 LARGEST_REPLAY = 300e6  # bytes
 RECENT = 10 * RATE  # ticks over which lateness is judged
 
+Exciting = commands.PutIn | commands.PutInHistory | commands.Hold
 Choosing = commands.ChooseAircraft | commands.Equations | commands.OpenAircraft | commands.OpenExperiment
 
 _NAME = re.compile(r"[A-Za-z0-9_-]{1,40}")
@@ -147,13 +148,13 @@ class Cabins:
                 work = session.start_recording if begin else session.stop_recording
                 return {"recording": await asyncio.to_thread(work)}
             case commands.Share():
-                what = (session.flown, self.fleet, cabin.inputs, session.held)
-                return {"experiment": await asyncio.to_thread(experiment_of, *what)}
+                said = (session.flown, self.fleet, cabin.inputs, session.held)
+                return {"experiment": await asyncio.to_thread(experiment_of, *said)}
             case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft() | commands.OpenExperiment():
                 await self._fly(cabin, command)
             case _ if isinstance(command, Editing):
                 await self._edit(cabin, command)
-            case commands.PutIn() | commands.PutInHistory() | commands.Hold():
+            case _ if isinstance(command, Exciting):
                 self._excite(cabin, command)
             case commands.Delete() | commands.WhatIf() | commands.PlayBack():
                 await self._with_recording(cabin, command)
@@ -166,12 +167,12 @@ class Cabins:
         if isinstance(command, commands.OpenExperiment):
             craft, experiment = await asyncio.to_thread(opened, command.text, self.fleet)
             cabin.fly(craft)
-            for command_again in (*map(commands.PutIn, experiment.inputs), *map(commands.Hold, experiment.held)):
-                self._excite(cabin, command_again)
+            for again in experiment.put_in():
+                self._excite(cabin, again)
         else:
             cabin.fly(await asyncio.to_thread(self._craft, cabin.session.flown, command))
 
-    def _excite(self, cabin: Cabin, command: commands.PutIn | commands.PutInHistory | commands.Hold) -> None:
+    def _excite(self, cabin: Cabin, command: Exciting) -> None:
         """Put something in, and remember it as part of the experiment."""
         if excite(cabin.session, command):
             self._later(cabin.session.start_recording)

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from fdes.aircraft import parse
 from fdes.aircraft.role import role_of
+from fdes.cockpit.commands import Hold, PutIn
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.excite import held as held_by_hand
 from fdes.cockpit.fleet import Fleet
@@ -49,6 +50,10 @@ class Experiment(BaseModel):
     category: str | None = None
     phase: str | None = None
     document: dict[str, Any] | None = None
+
+    def put_in(self) -> list[PutIn | Hold]:
+        """What to put in when it flies."""
+        return [*map(PutIn, self.inputs), *map(Hold, self.held)]
 
 
 def experiment_of(
