@@ -8,6 +8,7 @@ import { Tabs } from "./tabs.js";
 import { degrees, figure } from "./units.js";
 
 const NONE = "direct";
+const PERIOD = 60; // ms from law to law while a slider moves
 const FIRST = "yaw_damper"; // what the key engages before anything was chosen
 // In the order in which loops are closed, the innermost first.
 const WORDS = {
@@ -28,6 +29,7 @@ export class FlightControl {
     this.last = FIRST;
     this.waiting = null;
     this.busy = false;
+    this.sent = 0;
     this.control = null;
     this.others = [];
     this.problem = html("p", { class: "problem", role: "alert" });
@@ -125,8 +127,11 @@ export class FlightControl {
     this.busy = true;
     let done = true;
     while (this.waiting) {
+      const early = this.sent + PERIOD - performance.now();
+      if (early > 0) await new Promise((rest) => setTimeout(rest, early));
       const asked = this.waiting;
       this.waiting = null;
+      this.sent = performance.now();
       try {
         await this.link.command(asked.name, asked.fields);
         this.problem.textContent = "";

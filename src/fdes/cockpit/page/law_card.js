@@ -50,9 +50,9 @@ export class LawCard {
     );
   }
 
-  /** A number with its unit; angles are said in degrees. */
+  /** A number with its unit; angles are said in degrees, natural frequencies are not. */
   entry(name, unit, changed) {
-    const shown = DEGREES[unit] ?? unit;
+    const shown = name === "omega" ? unit : (DEGREES[unit] ?? unit);
     const input = html("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${this.words.title}: ${HELP[name] ?? name}`, onchange: changed });
     const label = html(
       "label",
