@@ -4,7 +4,7 @@ No source of ours prints a closed loop of these aircraft; each test derives its 
 R. C. Nelson, Flight Stability and Automatic Control, 2nd ed.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
@@ -13,21 +13,24 @@ from numpy.polynomial import Polynomial
 
 from fdes.aircraft import load
 from fdes.analysis import linear_model
-from fdes.analysis.closed_loop import close
-from fdes.control import Law, LinearModel
+from fdes.analysis.closed_loop import close, open_loop
+from fdes.control import Law, LinearModel, Stick
+from fdes.control.law import with_loop
 from fdes.control.laws.direct import Direct
 from fdes.control.laws.pitch_rate_damper import PitchRateDamper
 from fdes.control.laws.pitch_rate_pi import PitchRatePi
 from fdes.control.laws.roll_angle import RollAngle
 from fdes.control.laws.roll_rate_damper import RollRateDamper
+from fdes.control.laws.sensors import Sensors
 from fdes.control.laws.spiral_stabilization import SpiralStabilization
 from fdes.control.laws.yaw_damper import YawDamper
 from fdes.physics.derivatives import dimensional
+from fdes.physics.signals import Outputs, Surfaces
 
 A4D = load("A-4D").at("M0.4_SL")
 BARE = Direct(A4D.full_stick)
 D = dimensional(A4D.coefficients, A4D.reference, "nelson")
-MODEL = linear_model(A4D, "nelson", ("q", "p", "r", "phi"))
+MODEL = linear_model(A4D, "nelson", ("q", "p", "r", "phi", "p_dot"))
 V = A4D.reference.V
 S = Polynomial([0.0, 1.0])
 
@@ -144,3 +147,49 @@ def test_spiral_stabilization_holds_the_spiral_just_where_nelson_says() -> None:
     assert np.abs(at).min() < 1e-9
     assert less.real.max() > 1e-4
     assert more.real.max() < -1e-4
+
+
+@dataclass(frozen=True)
+class RollAcceleration:
+    """aileron = stick - gain p_dot: what it measures, it moves at once."""
+
+    inner: Direct
+    gain: float
+
+    def start(self, y: Outputs, stick: Stick) -> None:
+        """Nothing to remember."""
+
+    def step(self, y: Outputs, stick: Stick, memory: None, dt: float) -> tuple[Surfaces, None]:
+        """Left aileron while rolling faster and faster to the right."""
+        command, _ = self.inner.step(y, stick, memory, dt)
+        return command._replace(aileron=command.aileron - self.gain * y.p_dot), None
+
+    def linear(self, dt: float | None = None) -> LinearModel:
+        """One gain."""
+        return with_loop(self.inner.linear(dt), {"p_dot": -self.gain}, "aileron")
+
+
+def test_a_law_that_moves_what_it_measures_is_solved_for() -> None:
+    """p' = L_p p + L_da (F stick - K p'): p' = (L_p p + L_da F stick) / (1 + L_da K), and so is the output p_dot."""
+    K, F, b = 0.3, A4D.full_stick.aileron, D.L_da
+    closed = close(short(("p",)), RollAcceleration(BARE, K))
+    stick, aileron = closed.inputs.index("stick_roll"), closed.inputs.index("aileron")
+    p_dot = closed.outputs.index("p_dot")
+    for row, direct in ((closed.A[0], closed.B[0]), (closed.C[p_dot], closed.D[p_dot])):
+        assert row[0] == pytest.approx(D.L_p / (1.0 + K * b), rel=1e-12)
+        assert direct[stick] == pytest.approx(b * F / (1.0 + K * b), rel=1e-12)
+        assert direct[aileron] == pytest.approx(b / (1.0 + K * b), rel=1e-12)
+
+
+def test_so_it_is_through_a_lag() -> None:
+    """m' = (p' - m) / T, aileron = F stick - K m: p' = L_p p - L_da K m + L_da F stick goes into m' at once."""
+    K, F, b, T = 0.3, A4D.full_stick.aileron, D.L_da, 0.05
+    closed = close(short(("p",)), Sensors(RollAcceleration(BARE, K), T))
+    stick, aileron = closed.inputs.index("stick_roll"), closed.inputs.index("aileron")
+    np.testing.assert_allclose(closed.A, [[D.L_p, -b * K], [D.L_p / T, (-b * K - 1.0) / T]], rtol=1e-12)
+    np.testing.assert_allclose(closed.B[:, [aileron, stick]], [[b, b * F], [b / T, b * F / T]], rtol=1e-12)
+    p_dot = closed.outputs.index("p_dot")
+    np.testing.assert_allclose(closed.C[p_dot], closed.A[0], rtol=1e-12)
+    np.testing.assert_allclose(closed.D[p_dot], closed.B[0], rtol=1e-12)
+    broken = open_loop(short(("p",)), RollAcceleration(BARE, K), "aileron")
+    assert (broken.C[0, 0], broken.D[0, 0]) == (pytest.approx(K * D.L_p), pytest.approx(K * b))
