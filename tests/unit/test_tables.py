@@ -1,5 +1,7 @@
 """Linear tables: values, ends, and slopes by complex step."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -36,6 +38,7 @@ def test_beyond_its_ends_it_is_held_or_goes_on() -> None:
 @pytest.mark.parametrize(("x", "slope"), [(-0.5, -2.0), (0.0, 0.5), (1.0, 0.5), (2.0, -2.0), (4.0, -2.0), (7.0, 0.0)])
 def test_the_imaginary_part_is_the_slope(x: float, slope: float) -> None:
     """At a breakpoint that of the interval above; beyond the ends, where the table is held, none."""
-    found = row_at(VALUES, spot(AXIS, complex(x, 1e-30)))
+    asked: Any = complex(x, 1e-30)
+    found = row_at(VALUES, spot(AXIS, asked))
     assert found.imag / 1e-30 == pytest.approx(slope, abs=1e-15)
     assert found.real == row_at(VALUES, spot(AXIS, x))

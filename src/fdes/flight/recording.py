@@ -46,7 +46,6 @@ class Recording:
 
     def _repr_html_(self) -> str:
         """What was flown, and how far each signal went, as a table for notebooks."""
-        t = self.data[:, 0]
         head = "<tr><th>column</th><th>unit</th><th>least</th><th>greatest</th><th>what</th></tr>"
         moved = [
             (c, v.min(), v.max()) for c, v in zip(self.columns, self.data.T, strict=True) if len(v) and np.ptp(v) > 0.0
