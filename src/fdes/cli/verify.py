@@ -38,6 +38,23 @@ def textbooks(
     found = checks(published(sources))
     if not found:
         raise SpecError(f"There is nothing to verify in {sources}: no source file there holds a published number.")
+    _report(found, json=json)
+
+
+@app.command(epilog="Example: fdes verify f16")
+def f16(json: AsJson = False) -> None:
+    """The F-16 against the book's trims, state derivative and linear model. Exits with 1 if one is out of its digits.
+
+    What the tables of the book make is held. Where those of the aircraft file make something else, that is shown.
+    """
+    from fdes.analysis.f16_checks import f16_checks
+
+    with working("Trimming the F-16"):
+        found = f16_checks()
+    _report(found, json=json)
+
+
+def _report(found: "list[Check]", *, json: bool) -> None:
     ok, misprints, failed, shown = (
         sum(check.verdict == verdict for check in found) for verdict in ("ok", "misprint", "failed", "no check")
     )
