@@ -153,7 +153,7 @@ def test_spiral_stabilization_holds_the_spiral_just_where_nelson_says() -> None:
 class RollAcceleration:
     """aileron = stick - gain p_dot: what it measures, it moves at once."""
 
-    inner: Direct
+    inner: Law
     gain: float
 
     def start(self, y: Outputs, stick: Stick) -> None:
@@ -193,3 +193,11 @@ def test_so_it_is_through_a_lag() -> None:
     np.testing.assert_allclose(closed.D[p_dot], closed.B[0], rtol=1e-12)
     broken = open_loop(short(("p",)), RollAcceleration(BARE, K), "aileron")
     assert (broken.C[0, 0], broken.D[0, 0]) == (pytest.approx(K * D.L_p), pytest.approx(K * b))
+
+
+def test_and_with_both_at_once() -> None:
+    """aileron = -K m - K_2 p': p' = (L_p p - L_da K m) / (1 + L_da K_2), and m' = (p' - m) / T."""
+    K, K_2, b, T = 0.3, 0.2, D.L_da, 0.05
+    closed = close(short(("p",)), RollAcceleration(Sensors(RollAcceleration(BARE, K), T), K_2))
+    moves = np.array([D.L_p, -b * K]) / (1.0 + b * K_2)
+    np.testing.assert_allclose(closed.A, [moves, (moves - [0.0, 1.0]) / T], rtol=1e-12)
