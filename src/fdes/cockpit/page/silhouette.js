@@ -82,7 +82,11 @@ export function proportions(id, size) {
   return SHAPES[id] ?? plain(size ?? {});
 }
 
-function plain({ span = 12, area = 0.17 * span * span, chord = area / span, mach = 0 }) {
+/** A size of zero is one that the source does not give. */
+function plain({ mach = 0, ...given }) {
+  const span = given.span || 12;
+  const area = given.area || 0.17 * span * span;
+  const chord = given.chord || area / span;
   const taper = taperOf((chord * span) / area);
   const root = (2 * area) / (span * (1 + taper));
   const swept = Math.acos(Math.min(1, 0.62 / Math.max(mach, 0.1))); // as if the wing met no more than Mach 0.62
