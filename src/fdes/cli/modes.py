@@ -192,7 +192,7 @@ def _static(figures: "StaticFigures", cg: float | None) -> str:
     if cg is not None and figures.neutral_point is not None and figures.maneuver_point is not None:
         lines += [f"neutral point     {100.0 * figures.neutral_point:6.1f} %  center of gravity at {100.0 * cg:.1f} %"]
         lines += [f"maneuver point    {100.0 * figures.maneuver_point:6.1f} %"]
-    lines += [f"n/alpha           {number(figures.n_alpha, DIGITS):>6} g/rad"]
+    lines += [f"n/alpha           {number(figures.n_alpha, DIGITS):>6} g/rad, by CL_alpha alone"]
     if figures.roll_rate is not None:
         rate = number(figures.roll_rate, DIGITS)
         lines += [f"steady roll rate  {rate:>6} deg/s per degree of aileron, rolling alone"]
