@@ -13,7 +13,7 @@ from fdes.aircraft import load
 from fdes.analysis.table_derivatives import table_derivatives
 from fdes.physics.aero import Flow
 from fdes.physics.signals import Surfaces
-from fdes.physics.terms import TermAero, body_coefficients, outside, term_loads, term_signals
+from fdes.physics.terms import TermAero, body_coefficients, ends, term_loads, term_signals
 from fdes.physics.turbofan import commanded_power, power_rate, turbofan_thrust
 from fdes.units import DEG, FOOT, POUND_FORCE, SLUG
 
@@ -112,13 +112,19 @@ def test_the_derivatives_in_the_file_are_those_of_its_tables(condition: str) -> 
     np.testing.assert_allclose(found, fc.coefficients, rtol=2e-5, atol=1e-7)
 
 
-def test_beyond_a_table_is_announced_and_held() -> None:
+def test_beyond_its_ends_a_table_is_held() -> None:
     shot = {name: float(text) for name, text in AERO[0].items() if name != "shot"}
     model = aero(0.35)
     inside, held = flow_of(shot)
-    assert outside(model, inside, held) == ()
-    steep = inside._replace(alpha=50.0 * DEG, beta=-33.0 * DEG)
-    found = {o.signal: (o.value / DEG, o.end / DEG) for o in outside(model, steep, held)}
-    assert found == {"alpha": pytest.approx((50.0, 45.0)), "beta": pytest.approx((-33.0, -30.0))}
     edge = term_loads(model, inside._replace(alpha=45.0 * DEG), held)
     assert term_loads(model, inside._replace(alpha=50.0 * DEG), held) == edge
+    assert edge != term_loads(model, inside._replace(alpha=44.0 * DEG), held)
+
+
+def test_where_tables_end() -> None:
+    found = {name: (low / DEG, high / DEG) for name, (low, high) in ends(aero(0.35)).items()}
+    assert found == {
+        "alpha": pytest.approx((-10.0, 45.0)),
+        "beta": pytest.approx((-30.0, 30.0)),
+        "elevator": pytest.approx((-24.0, 24.0)),
+    }

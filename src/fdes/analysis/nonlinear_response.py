@@ -1,6 +1,7 @@
 """The response of the nonlinear plant to the inputs that the linear one takes, from a trimmed flight."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from math import inf
 
 from fdes import __version__
@@ -18,6 +19,7 @@ from fdes.flight.recorder import columns_of, row_of
 from fdes.flight.recording import Recording, frames_to_recording
 from fdes.flight.response import disturbed
 from fdes.flight.simulation import Clock, Setup, fly
+from fdes.flight.table_ends import beyond_tables, table_ends
 from fdes.physics.plant import State
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import Limits, PerturbationState
@@ -61,4 +63,6 @@ def simulate_nonlinear(
         trim=asked._asdict(), assumptions=assumptions(condition, plant),
     )  # fmt: skip
     header = {"fdes": __version__, "engine": "frame by frame, Python", **header}
-    return frames_to_recording(header, columns_of(State), map(row_of, frames))
+    flight = frames_to_recording(header, columns_of(State), map(row_of, frames))
+    left = beyond_tables(flown, {name: flight[name].tolist() for name in table_ends(flown)}, flight["t"].tolist())
+    return replace(flight, header={**header, "assumptions": [*header["assumptions"], *left]})

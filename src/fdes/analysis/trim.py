@@ -21,7 +21,7 @@ from fdes.physics.aero import derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.attitude import quaternion
 from fdes.physics.plant import SixDof, State
-from fdes.physics.signals import Air, Surfaces
+from fdes.physics.signals import Air, Outputs, Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.units import DEG, parse
 
@@ -62,6 +62,10 @@ class TrimPoint:
     residual: float
     iterations: int
     plant: SixDof
+
+    def outputs(self) -> Outputs:
+        """All outputs of this flight, in still air."""
+        return self.plant.observe(self.state, self.plant.trim(), CALM)
 
 
 def spec_of(text: str, default: TrimSpec) -> TrimSpec:

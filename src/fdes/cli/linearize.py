@@ -33,13 +33,15 @@ def linearize(
     from fdes.analysis.jacobian import linearized
     from fdes.analysis.trim import TrimSpec, spec_of, trim
     from fdes.flight.nonlinear import assumptions, six_dof_of
+    from fdes.flight.table_ends import beyond_tables
 
     ready = chosen(aircraft, condition, variant, changes)
     default = TrimSpec(ready.reference.V, ready.reference.h)
     plant = six_dof_of(ready)
     point = trim(plant, spec_of(wanted, default) if wanted else default)
     model = linearized(point, thrust_held=thrust_held)
-    said = assumptions(ready, plant)
+    outputs = point.outputs()._asdict()
+    said = assumptions(ready, plant) + beyond_tables(point.plant, {name: [value] for name, value in outputs.items()})
     if json:
         print_json({
             "aircraft": ready.aircraft_id,

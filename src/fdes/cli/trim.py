@@ -38,6 +38,7 @@ def trim(
     from fdes.analysis.trim import TrimSpec, spec_of
     from fdes.analysis.trim import trim as found_by
     from fdes.flight.nonlinear import assumptions, six_dof_of
+    from fdes.flight.table_ends import beyond_tables
 
     ready = chosen(aircraft, condition, variant, changes)
     plant = six_dof_of(ready)
@@ -47,6 +48,7 @@ def trim(
         _map(plant, spec, heights, plot, f"{ready.aircraft_name}, {ready.condition}", json)
         return
     point = found_by(plant, spec)
+    said += beyond_tables(point.plant, {name: [value] for name, value in point.outputs()._asdict().items()})
     if json:
         print_json({
             "aircraft": ready.aircraft_id,

@@ -7,8 +7,6 @@ the hangar hold theirs, or goes on straight: the table's axis says which.
 
 from typing import NamedTuple
 
-from fdes.elementary import where
-
 Row = tuple[float, ...]
 
 
@@ -48,10 +46,3 @@ def grid_at(values: tuple[Row, ...], row: Spot, column: Spot) -> float:
     """The value of a table of two variables: interpolated along the rows' variable last."""
     low, high = row_at(values[row.k], column), row_at(values[row.k + 1], column)
     return low + row.t * (high - low)
-
-
-def beyond(axis: Axis, x: float) -> float:
-    """How far `x` is outside the axis: below it negative, 0 within, above it positive."""
-    low, high = axis.breakpoints[0], axis.breakpoints[-1]
-    outside: float = where(x.real < low, x - low, where(x.real > high, x - high, 0.0 * x))
-    return outside

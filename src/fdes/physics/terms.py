@@ -10,7 +10,7 @@ from typing import NamedTuple
 from fdes.elementary import where
 from fdes.physics.aero import SLOWEST, AirLoads, Flow
 from fdes.physics.signals import Surfaces
-from fdes.physics.tables import Axis, Row, beyond, grid_at, row_at, spot
+from fdes.physics.tables import Axis, Row, grid_at, row_at, spot
 from fdes.units import Meter, Meter2, Number, Radian
 
 SIGNALS = ("alpha", "beta", "mach", "p_hat", "q_hat", "r_hat", "elevator", "aileron", "rudder")
@@ -84,14 +84,6 @@ class BodyCoefficients(NamedTuple):
     Cn: Number
 
 
-class Outside(NamedTuple):
-    """A signal that is beyond a table: its name, its value, and where the table ends [SI]."""
-
-    signal: str
-    value: float
-    end: float
-
-
 def term_signals(a: TermAero, flow: Flow, surfaces: Surfaces) -> TermSignals:
     """The signals of this instant."""
     V = where(flow.V.real > SLOWEST, flow.V, SLOWEST)
@@ -135,15 +127,13 @@ def term_loads(a: TermAero, flow: Flow, surfaces: Surfaces) -> AirLoads:
     return AirLoads(X, Y, Z, qS * a.b * k.Cl, qS * a.c * k.Cm + a.arm * Z, qS * a.b * k.Cn - a.arm * Y)
 
 
-def outside(a: TermAero, flow: Flow, surfaces: Surfaces) -> tuple[Outside, ...]:
-    """The signals that are beyond their tables now, where these are held or extrapolated. For announcing, in flight."""
-    signals = term_signals(a, flow, surfaces)
-    found = {}
+def ends(a: TermAero) -> dict[str, tuple[float, float]]:
+    """Where the tables over each signal end, by its name: the narrowest of them, with the signs of FDES [SI]."""
+    found: dict[str, tuple[float, float]] = {}
     for axis in a.axes:
-        x = axis.sign * signals[axis.signal]
-        excess = beyond(axis.axis, abs(x) if axis.mirrored else x)
-        if excess:
-            name = SIGNALS[axis.signal]
-            end = axis.sign * (x - (-excess if axis.mirrored and x < 0.0 else excess))
-            found[name] = Outside(name, signals[axis.signal], end)
-    return tuple(found.values())
+        low, high = axis.axis.breakpoints[0], axis.axis.breakpoints[-1]
+        low = -high if axis.mirrored else low
+        low, high = (low, high) if axis.sign > 0.0 else (-high, -low)
+        before = found.get(SIGNALS[axis.signal], (low, high))
+        found[SIGNALS[axis.signal]] = max(low, before[0]), min(high, before[1])
+    return found
