@@ -9,7 +9,7 @@ const COLUMNS = [
   ["ωn, rad/s", "Undamped natural frequency; of a real root its size"],
   ["ζ", "Damping ratio; none for a real root"],
   ["τ, s", "Time constant"],
-  ["T½, s", "Time to half amplitude; T2: to double it"],
+  ["T½, s", "Time to half amplitude; ×2: to double it"],
   ["T, s", "Period: time of one oscillation"],
   ["Cycles", "Periods until half the amplitude is left; ×2: until it has doubled"],
 ];
@@ -136,7 +136,7 @@ function row(mode) {
     html("td", {}, omega_n < 1 / NEUTRAL ? "0" : figure(omega_n)),
     html("td", {}, period === null ? "–" : figure(zeta)),
     html("td", {}, lasting(time_constant)),
-    html("td", { class: growing ? "growing" : "" }, growing ? `T2 ${figure(time_to_double)}` : lasting(time_to_half ?? time_to_double)),
+    html("td", { class: growing ? "growing" : "" }, growing ? `×2 ${figure(time_to_double)}` : lasting(time_to_half ?? time_to_double)),
     html("td", {}, figure(period)),
     html("td", { class: growing ? "growing" : "" }, cycles_to_double ? `×2 ${figure(cycles_to_double)}` : figure(cycles_to_half)),
   );

@@ -135,7 +135,8 @@ function placeLabels(plane, modes, at, pane, words) {
 
 /** Where a name `wide` px long goes: left, right, above or below its cross, whichever is free first. */
 function freeSpot(px, py, wide, { x, width, height }, taken) {
-  const center = clamp(px - wide / 2, x + 5, x + width - wide - 5);
+  const within = (left) => clamp(left, x + 5, x + width - wide - 5);
+  const center = within(px - wide / 2);
   const spots = [
     [px - 9 - wide, py + 3.5],
     [px + 9, py + 3.5],
@@ -149,16 +150,18 @@ function freeSpot(px, py, wide, { x, width, height }, taken) {
     [center, py - 30],
     [center, py + 39],
     [center, py - 41],
+    ...[-9, 17, -19, 28, -30, 39, -41].flatMap((up) => [within(px - wide), within(px)].map((left) => [left, py + up])),
   ];
   if (Math.abs(py - (PAD.top + height - PAD.bottom) / 2) < 1) spots.unshift(spots[2]); // not along the real axis
   const candidates = spots.map(([left, base]) => ({ x: left, y: base, box: [left, left + wide, base - 9, base + 2] }));
-  const touches = ([l, r, t, b]) => taken.some(([L, R, T, B]) => l < R && L < r && t < B && T < b);
-  const inside = ([l, r, t]) => l > x + 3 && r < x + width - 3 && t > 0;
-  return (
-    candidates.find(({ box }) => inside(box) && !touches(box)) ??
-    candidates.find(({ box }) => inside(box)) ??
-    candidates[0]
-  );
+  const overlap = ([l, r, t, b]) => {
+    let area = 0;
+    for (const [L, R, T, B] of taken) area += Math.max(0, Math.min(r, R) - Math.max(l, L)) * Math.max(0, Math.min(b, B) - Math.max(t, T));
+    return area;
+  };
+  const inside = ([l, r, t, b]) => l > x + 3 && r < x + width - 3 && t > 0 && b < height;
+  const allowed = candidates.filter(({ box }) => inside(box));
+  return allowed.find(({ box }) => !overlap(box)) ?? allowed.sort((one, other) => overlap(one.box) - overlap(other.box))[0] ?? candidates[0];
 }
 
 const tidy = (value) => String(Number(value.toPrecision(3)));
