@@ -11,8 +11,9 @@ from typing import Any
 
 from fdes.aircraft import FlightCondition, edited, load, parse
 from fdes.analysis.design import law_for
+from fdes.analysis.flown_plant import plant_in
 from fdes.errors import RecordingError, SpecError
-from fdes.flight import Recording, Setup, plant_of
+from fdes.flight import Recording, Setup
 from fdes.flight.actuated import with_actuators
 from fdes.flight.reflight import Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
@@ -138,7 +139,6 @@ def setup_of(header: Mapping[str, Any]) -> Setup:
     """Plant and law of a header. Raises FdesError."""
     condition = condition_of(header)
     flown = condition if header.get("limits", True) else replace(condition, limits=NO_LIMITS)
-    step = header["dt"] / header.get("substeps", 1)
     law = law_for(header.get("law", "direct"), condition, header["form"], frame=header["dt"]).law
-    plant = plant_of(flown, header["form"], header["integrator"], step)
+    plant = plant_in(header, flown)
     return Setup(with_actuators(plant, condition) if header.get("actuators") else plant, law)

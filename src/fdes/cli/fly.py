@@ -15,6 +15,9 @@ def fly(
     variant: VariantName = "corrected",
     form: FormName = "full",
     integrator: IntegratorName = "rk4",
+    plant: Annotated[
+        str, typer.Option(metavar="linear|nonlinear", help="Small perturbations, or six degrees of freedom.")
+    ] = "linear",
     host: Annotated[str, typer.Option(metavar="ADDRESS", help="Where to listen; 0.0.0.0 lets the network in.")] = (
         "127.0.0.1"
     ),
@@ -56,6 +59,7 @@ def fly(
             variant=variant,
             form=form,
             integrator=integrator,
+            plant=plant,
             record=record,
         )
 

@@ -219,6 +219,13 @@ class UseActuators:
     on: bool
 
 
+@dataclass(frozen=True)
+class ChoosePlant:
+    """Fly on with this plant, linear or nonlinear, from where the aircraft is."""
+
+    plant: str
+
+
 Command = (
     Freeze
     | Reset
@@ -251,6 +258,7 @@ Command = (
     | Share
     | Engage
     | UseActuators
+    | ChoosePlant
 )
 
 COMMANDS: dict[str, type[Command]] = {
@@ -282,4 +290,5 @@ COMMANDS: dict[str, type[Command]] = {
     "airspeeds": Airspeeds,
     "law": Engage,
     "actuators": UseActuators,
+    "plant": ChoosePlant,
 }

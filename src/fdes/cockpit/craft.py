@@ -11,6 +11,7 @@ from fdes.aircraft.knobs import knobs
 from fdes.aircraft.role import Role, role_of
 from fdes.analysis import Mode, linear_model, modes
 from fdes.analysis.approximations import mode_report
+from fdes.analysis.flown_plant import LINEAR, NONLINEAR, Trimmed, must_be_a_plant, trimmed
 from fdes.analysis.measured import measure
 from fdes.analysis.qualities import charts, judge
 from fdes.analysis.step_limit import step_limit
@@ -35,6 +36,7 @@ START_HEIGHT = 1500.0 * FOOT  # lowest start: room to make a mistake, still with
 class Craft:
     """An aircraft in a flight condition, its equations chosen, ready to fly.
 
+    `plant` is linear or nonlinear; `trimmed` is the latter, in the flight in which it begins.
     `base` is the aircraft as its file has it, `condition` the same with the changes made to it in flight. `role` is by
     what its flying qualities are judged, and `fit` its control law and actuators.
     `briefing` is the part of the wire's AIRCRAFT that it answers for, `modes` the mode dictionaries of the same plant.
@@ -44,6 +46,7 @@ class Craft:
     condition: FlightCondition
     role: Role
     form: str
+    plant: str
     integrator: str
     setup: Setup
     start: Any
@@ -53,17 +56,42 @@ class Craft:
     natural: list[Mode]
     bare: list[Mode]
     fit: Fitted
+    trimmed: Trimmed | None
 
     def header(self) -> dict[str, Any]:
         """What a recording of it says first: enough to make the same craft again."""
         control = self.fit.control
         return header_of(
-            self.condition, self.form, self.integrator, self.clock, control.law, actuators=control.actuators
-        )
+            self.condition, self.form, self.integrator, self.clock, control.law, actuators=control.actuators,
+            **self._plant_note(),
+        )  # fmt: skip
 
     def setup_note(self) -> dict[str, Any]:
         """What a recording says where, in flight, it becomes this craft: its part of the header that edits change."""
-        return {"changes": [str(change) for change in self.condition.changes], "law": self.fit.control.law}
+        return {
+            "changes": [str(change) for change in self.condition.changes],
+            "law": self.fit.control.law,
+        } | self._plant_note()
+
+    def _plant_note(self) -> dict[str, Any]:
+        if self.trimmed is None:
+            return {"plant": self.plant}
+        return {"plant": self.plant, "trim": {"V": self.trimmed.V, "h": self.trimmed.h}}
+
+    @property
+    def trim_throttle(self) -> float:
+        """Where the throttle lever holds undisturbed flight."""
+        return self.condition.trim_throttle if self.trimmed is None else self.trimmed.throttle
+
+    def moved_from(self, before: "Craft") -> str:
+        """What an edit moves in flight, as a perturbation: with another altitude of its condition the linear plant.
+
+        The air at it is what its equations are made of. The nonlinear one is trimmed for height and speed, and goes to
+        both.
+        """
+        climb = self.briefing["h"] - before.briefing["h"]
+        faster = 0.0 if self.trimmed is None else self.briefing["V"] - before.briefing["V"]
+        return ", ".join(f"{name}={by!r}{unit}" for name, by, unit in (("h", climb, "m"), ("u", faster, "m/s")) if by)
 
     @property
     def changes(self) -> tuple[str, ...]:
@@ -83,6 +111,7 @@ class Craft:
         changes: Iterable[str] | None = None,
         role: Role | None = None,
         control: Control | None = None,
+        plant: str | None = None,
     ) -> "Craft":
         """The same aircraft with what is given instead of its own. Raises NoSuchPart, SpecError."""
         return make_craft(
@@ -93,6 +122,7 @@ class Craft:
             self.changes if changes is None else changes,
             role or self.role,
             control or self.fit.control,
+            plant or self.plant,
         )
 
     @cached_property
@@ -138,40 +168,50 @@ def make_craft(
     changes: Iterable[str] = (),
     role: Role | None = None,
     control: Control = Control(),  # noqa: B008  it cannot be changed
+    plant: str = LINEAR,
 ) -> Craft:
     """Make `base` with `changes` ready to fly, one integrator step of `step` [s] a frame.
 
-    Raises NoSuchPart for a form or an integrator that does not exist, SpecError for a step the cockpit cannot show,
-    and both for changes that cannot be made and for a law that cannot be.
+    `plant` is linear or nonlinear; the latter is trimmed at the speed of its condition and the height of the start.
+    Raises NoSuchPart for a form, a plant or an integrator that does not exist, TrimError for what cannot be trimmed,
+    SpecError for a step the cockpit cannot show, and the first and the last of these for changes that cannot be made
+    and for a law that cannot be.
     """
     if not DT - 1e-9 <= step <= LONGEST_STEP:
         raise SpecError(
             f"A step of {step:g} s cannot be flown: the cockpit shows every step, of 1/{RATE} to {LONGEST_STEP:g} s."
         )
     condition = edited(base, changes)
-    plant = plant_of(condition, form, integrator, step)
+    must_be_a_plant(plant, integrator)
+    linear = plant_of(condition, form, integrator, step)
+    height = max(condition.reference.h, START_HEIGHT)
+    point = None if plant == LINEAR else trimmed(condition, integrator, condition.reference.V, height)
+    flying = linear if point is None else point.plant
     wanted = cast("Form", form)  # plant_of has checked it
     bare = modes(condition, wanted)
     told = mode_report(condition, wanted, bare)
     fit = fitted(control, condition, wanted, step)
     natural = bare if fit.bare else modes(fit.model)
-    flown = with_actuators(plant, condition) if control.actuators else plant
-    start = flown.start(max(condition.reference.h, START_HEIGHT))
+    flown = with_actuators(flying, condition) if control.actuators else flying
+    start = flown.start(height)
     return Craft(
         base=base,
         condition=condition,
         role=role or role_of(base.document, base.condition),
         form=form,
+        plant=plant,
         integrator=integrator,
         setup=Setup(flown, fit.designed.law),
         start=start,
         clock=Clock(step),
-        briefing=_briefing(condition, form, integrator, step, start.h)
-        | {"step_limit": _limit(plant, natural if control.actuators else bare), "static": told["static"]},
+        briefing=_briefing(condition, form, integrator, step, height)
+        | _nonlinear(condition, point)
+        | {"step_limit": _limit(linear, natural if control.actuators else bare), "static": told["static"]},
         modes=told["modes"] if fit.bare else [mode.as_dict() | {"approximation": None} for mode in natural],
         natural=natural,
         bare=bare,
         fit=fit,
+        trimmed=point,
     )
 
 
@@ -179,6 +219,19 @@ def _limit(plant: "SmallPerturbation", natural: list[Mode]) -> dict[str, Any] | 
     """The step beyond which the integrator is unstable, and the mode that says so."""
     found = step_limit(plant.integrator, natural)
     return found and {"step": found[0], "mode": found[1].name}
+
+
+def _nonlinear(condition: FlightCondition, point: Trimmed | None) -> dict[str, Any]:
+    """What the page is told otherwise of the nonlinear plant."""
+    if point is None:
+        return {"plant": LINEAR}
+    return {
+        "plant": NONLINEAR,
+        "alpha_trim": point.alpha,
+        "theta_trim": point.theta,
+        "trim_throttle": point.throttle,
+        "notes": [*condition.notes, *point.assumptions],
+    }
 
 
 def _briefing(condition: FlightCondition, form: str, integrator: str, step: float, height: float) -> dict[str, Any]:

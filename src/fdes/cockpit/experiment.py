@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from fdes.aircraft import parse
 from fdes.aircraft.role import role_of
+from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.commands import Hold, PutIn
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.excite import held as held_by_hand
@@ -38,6 +39,7 @@ class Experiment(BaseModel):
     condition: str = Field(max_length=LONGEST)
     variant: Literal["corrected", "printed"] = "corrected"
     form: str = Field(default="full", max_length=LONGEST)
+    plant: str = Field(default=LINEAR, max_length=LONGEST)
     integrator: str = Field(default="rk4", max_length=LONGEST)
     step: float
     changes: list[str] = Field(default=[], max_length=MOST)
@@ -75,6 +77,7 @@ def experiment_of(
         condition=base.condition,
         variant=base.variant,
         form=craft.form,
+        plant=craft.plant,
         integrator=craft.integrator,
         step=craft.clock.dt,
         changes=list(craft.changes),
@@ -108,4 +111,5 @@ def opened(text: str, fleet: Fleet) -> tuple[Craft, Experiment]:
     for text_of_one in said.held:
         held_by_hand(text_of_one)
     control = Control(law=said.law, actuators=said.actuators, sampled=said.sampled)
-    return make_craft(base, said.form, said.integrator, said.step, said.changes, role, control), said
+    craft = make_craft(base, said.form, said.integrator, said.step, said.changes, role, control, said.plant)
+    return craft, said

@@ -9,6 +9,7 @@ from typing import Any
 
 from fdes.aircraft import Aircraft, catalogue, parse
 from fdes.aircraft.load import aircraft_of
+from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.flight_control import NONE, Control
 from fdes.errors import FdesError, NoSuchPart
@@ -17,10 +18,12 @@ from fdes.errors import FdesError, NoSuchPart
 class Fleet:
     """What can be flown; a session starts with `first`."""
 
-    def __init__(self, own: Aircraft, condition: str | None, variant: str, form: str, integrator: str) -> None:
-        """Raises NoSuchPart for a condition, variant, form or integrator that does not exist."""
+    def __init__(
+        self, own: Aircraft, condition: str | None, variant: str, form: str, integrator: str, plant: str = LINEAR
+    ) -> None:
+        """Raises NoSuchPart for a condition, variant, form, integrator or plant that does not exist."""
         self._own = own
-        self.first = make_craft(own.at(condition, variant), form, integrator)
+        self.first = make_craft(own.at(condition, variant), form, integrator, plant=plant)
 
     @cached_property
     def aircraft(self) -> dict[str, Aircraft]:
@@ -38,7 +41,8 @@ class Fleet:
 
         Raises NoSuchPart for an id, condition or variant that is not offered.
         """
-        return make_craft(self.named(aircraft).at(condition, variant), like.form, like.integrator, like.clock.dt)
+        wanted = self.named(aircraft).at(condition, variant)
+        return make_craft(wanted, like.form, like.integrator, like.clock.dt, plant=like.plant)
 
     def opened(self, text: str, like: Craft) -> Craft:
         """The aircraft of a file's `text`, in its first condition, with the equations and the step of `like`.
@@ -46,7 +50,7 @@ class Fleet:
         It is data and nothing else: no name in it is looked for as a file. Raises AircraftFileError.
         """
         aircraft = aircraft_of(text, "The file")
-        return make_craft(aircraft.at(), like.form, like.integrator, like.clock.dt)
+        return make_craft(aircraft.at(), like.form, like.integrator, like.clock.dt, plant=like.plant)
 
     @cached_property
     def pictures(self) -> bytes:
@@ -62,8 +66,9 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     try:
         flown = parse(header["document"], name).at(header["condition"], header["variant"])
         control = Control(header.get("law", NONE), header.get("actuators", False))
-        changes = header.get("changes", ())
-        return make_craft(flown, header["form"], header["integrator"], header["dt"], changes, control=control)
+        changes, plant = header.get("changes", ()), header.get("plant", LINEAR)
+        form, integrator, dt = header["form"], header["integrator"], header["dt"]
+        return make_craft(flown, form, integrator, dt, changes, control=control, plant=plant)
     except (FdesError, KeyError, TypeError):
         return None
 

@@ -10,7 +10,15 @@ from fdes.cockpit.flight_control import Control, laws_message
 from fdes.cockpit.history import History
 from fdes.errors import SpecError
 
-Editing = commands.Edit | commands.Undo | commands.Redo | commands.Judge | commands.Engage | commands.UseActuators
+Editing = (
+    commands.Edit
+    | commands.Undo
+    | commands.Redo
+    | commands.Judge
+    | commands.Engage
+    | commands.UseActuators
+    | commands.ChoosePlant
+)
 
 
 class Wanted(NamedTuple):
@@ -19,11 +27,12 @@ class Wanted(NamedTuple):
     changes: tuple[str, ...]
     role: Role
     control: Control
+    plant: str
 
 
 def wanted(command: Editing, flown: Craft, past: History) -> Wanted:
     """What a command asks for. Raises SpecError where there is nothing to undo or redo."""
-    now = Wanted(flown.changes, flown.role, flown.fit.control)
+    now = Wanted(flown.changes, flown.role, flown.fit.control, flown.plant)
     match command:
         case commands.Edit(changes):
             return now._replace(changes=changes)
@@ -42,11 +51,13 @@ def wanted(command: Editing, flown: Craft, past: History) -> Wanted:
             return now._replace(control=now.control.asked(text, sampled=sampled))
         case commands.UseActuators(on):
             return now._replace(control=replace(now.control, actuators=on))
+        case commands.ChoosePlant(plant):
+            return now._replace(plant=plant)
 
 
 def ready(flown: Craft, asked: Wanted) -> Craft:
     """The craft with all that is told of it, so that telling costs nothing more. Raises NoSuchPart, SpecError."""
-    same = (asked.changes, asked.control) == (flown.changes, flown.fit.control)
+    same = asked._replace(role=flown.role) == Wanted(flown.changes, flown.role, flown.fit.control, flown.plant)
     craft = replace(flown, role=asked.role) if same else flown.but(**asked._asdict())
     laboratory(craft, History())
     return craft

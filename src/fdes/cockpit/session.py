@@ -22,7 +22,7 @@ from fdes.flight import Excitation, Recorder
 EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
 SLACK = 1e-9  # s: ticks and steps are sums of fractions
-EXCURSION = [c.name for c in wire.CHANNELS].index("excursion")
+EXCURSION, ALPHA = ([c.name for c in wire.CHANNELS].index(name) for name in ("excursion", "alpha"))
 
 
 class Session:
@@ -35,7 +35,7 @@ class Session:
         self.changed = True
         self._recordings, self._record = recordings, record
         self._lock = threading.Lock()
-        self._sortie = Sortie(craft, Stick(throttle=craft.condition.trim_throttle))
+        self._sortie = Sortie(craft, Stick(throttle=craft.trim_throttle))
         self._replay: Replay | None = None
         self._replayed = craft
         self._show = True
@@ -180,7 +180,7 @@ class Session:
         """Fly another craft. A recording of the present one ends."""
         with self._lock:
             self._sortie.release("aircraft changed")
-            self._sortie = Sortie(craft, Stick(throttle=craft.condition.trim_throttle))
+            self._sortie = Sortie(craft, Stick(throttle=craft.trim_throttle))
             self._owed = 0.0
             self._replay = None
             self._show = self.changed = True
@@ -188,7 +188,7 @@ class Session:
     def edit(self, craft: Craft) -> bool:
         """Fly on as `craft`, the same aircraft with other changes or another law, from the next frame on.
 
-        True when another recording should begin: with actuators switched there are other columns to record.
+        True when another recording should begin: with plant or actuators switched there are other columns to record.
         Raises SpecError.
         """
         with self._lock:
@@ -197,7 +197,7 @@ class Session:
             other = type(craft.start) is not type(self._sortie.craft.start)
             again = other and self._sortie.recorder is not None
             if again:
-                self._sortie.release("actuators switched")
+                self._sortie.release("plant or actuators switched")
             self._sortie.craft = craft
             self._show = self.changed = True
             return again
@@ -309,6 +309,11 @@ class Session:
             raise SpecError(f"The flight has ended. {AGAIN}")
         return self._sortie
 
+    def _stalled(self, alpha: float) -> bool:
+        """Whether lift is at the largest that is assumed of the nonlinear plant."""
+        point = self.shown.trimmed
+        return point is not None and point.stall is not None and not point.stall[0] <= alpha <= point.stall[1]
+
     def _playing(self) -> Replay:
         if self._replay is None:
             raise SpecError("No recording is being replayed.")
@@ -323,7 +328,8 @@ class Session:
             wire.FROZEN * self._frozen()
             | wire.RECORDING * (sortie.recorder is not None)
             | wire.REPLAY * (replay is not None)
-            | wire.OUTSIDE * (values[EXCURSION] > OUTSIDE_ANGLE)
+            | wire.OUTSIDE * (self.shown.trimmed is None and values[EXCURSION] > OUTSIDE_ANGLE)
+            | wire.STALLED * self._stalled(values[ALPHA])
             | wire.ENDED * (sortie.ended and replay is None)
             | wire.LATE * late
         )

@@ -17,7 +17,7 @@ from fdes.cockpit.wire import Input
 from fdes.control import Stick
 from fdes.errors import Departed, FdesError, SpecError
 from fdes.flight import Edit, Excitation, Frame, GustyAir, Recorder, fly
-from fdes.flight.actuated import fitted
+from fdes.flight.crossing import anew, can_carry, carried, crosses
 from fdes.flight.excitation import NO_GUSTS, Gusts
 from fdes.flight.inputs.step import Step
 from fdes.flight.recorder import SUFFIX
@@ -30,6 +30,10 @@ MOVED = 0.005  # how far a control must go from where it was at the start to cou
 LONGEST_RECORDING = 3600.0  # s: some 200 MB
 MOST_INPUTS = 64  # under way at once: each costs time in every frame
 AGAIN = "Press R to start again."
+TOO_FAR = (
+    "The flight was too far from undisturbed flight for the linear plant: "
+    "more than 15 degrees, or a quarter of the speed. It begins anew where it is, in trim."
+)
 
 
 class Sortie:
@@ -178,22 +182,32 @@ class Sortie:
         The state is kept: the deviations from undisturbed flight. With another altitude of the flight condition the
         height goes along, for the air at it is what the equations are made of.
         """
-        climb = self.craft.start.h - self._aloft.start.h
+        aloft, now = self._aloft, self.craft
+        switched = crosses(aloft.setup.plant, now.setup.plant)
         before, after = self._aloft.setup.law, self.craft.setup.law
         if edit.state is None and after != before:
             fading = self._fading(self.frame.t)
             self._fading = handover(self.frame, before, after, fading, self.craft.clock.dt)
-        self._aloft, self.announced = self.craft, True
-        note = {**edit.note, **self.craft.setup_note()}
+        self._aloft, self.announced = now, True
+        note = {**edit.note, **now.setup_note()}
         said = note.get("disturb")
-        if climb and edit.state is None:
-            said = f"h={climb!r}m" if said is None else f"h={climb!r}m, {said}"
+        moved = "" if switched else now.moved_from(aloft)
+        if moved and edit.state is None:
+            said = moved if said is None else f"{moved}, {said}"
             note["disturb"] = said
-        plant, law = self.craft.setup
+        plant, law = now.setup
         surfaces = self.frame.command
+        if switched and edit.state is None and not can_carry(self.frame.state, aloft.setup.plant, plant):
+            self.notice = TOO_FAR
+            edit = edit._replace(state=anew(self.frame.state, aloft.setup.plant, plant))
+            note["reset"] = True
+        begun = edit.state is not None
+        if switched:
+            self._rest = self._rest._replace(throttle=now.trim_throttle)
 
         def refit(x: Any) -> Any:
-            return disturbed(fitted(x, plant, surfaces), [] if said is None else [said])
+            here = x if begun else carried(x, aloft.setup.plant, plant, surfaces)
+            return disturbed(here, [] if said is None else [said])
 
         return edit._replace(plant=plant, law=law, disturb=refit, note=note)
 

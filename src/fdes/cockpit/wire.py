@@ -50,6 +50,7 @@ REPLAY = 4
 OUTSIDE = 8  # beyond the angle to which the linear plant may be believed
 ENDED = 16
 LATE = 32  # the machine fell behind within the last second
+STALLED = 64  # lift is at the largest that is assumed of the nonlinear plant
 
 STATE_TYPE = 1
 INPUT_TYPE = 2

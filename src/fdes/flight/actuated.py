@@ -5,6 +5,7 @@ together with the aircraft by the plant's own method.
 """
 
 from functools import cache
+from math import sqrt
 from typing import Any, NamedTuple, Protocol, get_type_hints
 
 from fdes.aircraft import FlightCondition
@@ -103,11 +104,19 @@ class WithActuators(NamedTuple):
         y: Vector = x
         for _ in range(substeps):
             y = step(f, y, dt / substeps, method)
-            y = (*y[:-MOVED], *settled(self.actuators, Deflections(*y[-MOVED:]), stops))
+            y = (*_upright(plant_type(state)(*y[:-MOVED])), *settled(self.actuators, Deflections(*y[-MOVED:]), stops))
         return state(*y)
 
     def _plants(self, x: Any) -> Any:
         return plant_type(type(x))(*x[:-MOVED])
+
+
+def _upright(x: Any) -> Any:
+    """A state of the nonlinear plant with its quaternion made a unit again, as that plant does; another as it is."""
+    if "e0" not in x._fields:
+        return x
+    size = sqrt(x.e0 * x.e0 + x.e1 * x.e1 + x.e2 * x.e2 + x.e3 * x.e3)
+    return x._replace(e0=x.e0 / size, e1=x.e1 / size, e2=x.e2 / size, e3=x.e3 / size)
 
 
 def fitted(x: Any, plant: Plant, surfaces: Surfaces) -> Any:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 from math import inf
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from fdes.control import Law, Stick
 from fdes.control.laws.direct import Direct
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.actuated import WithActuators, actuators_of
+from fdes.flight.crossing import displaced
 from fdes.flight.excitation import Excitation, GustyAir
 from fdes.flight.header import header_of
 from fdes.flight.pilot import HandsOff
@@ -80,12 +82,16 @@ def simulate(
     return replace(flight, header={"fdes": __version__, "engine": engine, **header})
 
 
-def disturbed(state: PerturbationState, initial: Iterable[str]) -> PerturbationState:
-    """`state` with what is said added to it; one text may hold several, separated by commas or semicolons.
+def disturbed(state: Any, initial: Iterable[str]) -> Any:
+    """`state`, of either plant, with what is said added to it; commas or semicolons may be between several in a text.
+
+    What can be said are the states of the linear plant; the nonlinear one takes them along the axes of its flow.
 
     >>> disturbed(PerturbationState(), ["beta=5deg, u=+10kt"]).u
     5.144444444444445
     """
+    if "e0" in state._fields:
+        return displaced(state, disturbed(PerturbationState(), initial))
     unit = {c.name: c.unit for c in channels(PerturbationState)}
     for said in (one.strip() for text in initial for one in text.replace(";", ",").split(",") if one.strip()):
         name, equals, value = (part.strip() for part in said.partition("="))

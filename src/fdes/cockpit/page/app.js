@@ -19,8 +19,13 @@ import { StripChart } from "./strip_chart.js";
 import { Tabs } from "./tabs.js";
 import { Theme } from "./theme.js";
 import { TopBar, sayState } from "./top_bar.js";
+import { clamp } from "./units.js";
 import { ViewBar } from "./view_bar.js";
 
+const PLANT_SAYS = {
+  linear: "Linear: small perturbations about trim.",
+  nonlinear: "Nonlinear: six degrees of freedom; the stall is assumed. Modes and Levels are of the linearized aircraft.",
+};
 const query = new URLSearchParams(location.search);
 const theme = new Theme(query.get("theme"));
 const link = new Link(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${sessionName()}`);
@@ -148,6 +153,11 @@ async function reset() {
   await command("reset");
 }
 
+/** The same flight with the other plant. */
+async function flyPlant(plant) {
+  if (await command("plant", { plant })) topBar.say(PLANT_SAYS[plant]);
+}
+
 const actions = {
   freeze: () => command("freeze", { value: !link.has(FLAG.frozen) }),
   reset,
@@ -157,6 +167,7 @@ const actions = {
   instruments: () => views.chooseInstruments(),
   hud: () => topBar.say(`Head-up display: ${cockpit.hud.nextMode()}`),
   theme: () => theme.toggle(),
+  plant: () => flyPlant(cockpit.aircraft.plant === "linear" ? "nonlinear" : "linear"),
   law: async () => topBar.say(await (await openFlightControl()).toggle()),
   help: () => byId("help").showModal(),
 };
@@ -186,6 +197,8 @@ async function openShared() {
 }
 
 let flown = null; // aircraft and condition, to know whether a message brings another one
+let flownPlant = null;
+let trimLever = 0; // which holds undisturbed flight: it is not quite the same with the other plant
 let pilot = false;
 let seated = false; // whether the throttle lever has been put where the simulation has it
 link.on("hello", (hello) => {
@@ -211,7 +224,11 @@ link.on("aircraft", (aircraft) => {
     chart.clear();
     cockpit.expectTrim();
     cockpit.flying = pilot && seated;
+  } else if (aircraft.plant !== flownPlant) {
+    const lever = clamp(stick.stick.throttle + aircraft.trim_throttle - trimLever, 0, 1);
+    Object.assign(stick, { trimThrottle: aircraft.trim_throttle, stick: { ...stick.stick, throttle: lever } });
   }
+  [flownPlant, trimLever] = [aircraft.plant, aircraft.trim_throttle];
   indicator.setTrim(aircraft.trim_throttle);
   topBar.showAircraft(aircraft);
   picker?.setCurrent(aircraft);

@@ -141,7 +141,7 @@ export class Cockpit {
     const big = !link.alive ? "NO DATA" : link.has(FLAG.replay) ? "REPLAY" : link.has(FLAG.frozen) ? "FREEZE" : "";
     return {
       big: link.has(FLAG.ended) && link.alive ? "" : big,
-      small: link.has(FLAG.beyondLinear) ? "LINEAR MODEL BEYOND 15 DEG" : "",
+      small: caution(link),
     };
   }
 
@@ -165,6 +165,12 @@ export class Cockpit {
     fit(this.worldCanvas, devicePixelRatio * this.resolution.scale);
     for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) fit(canvas, devicePixelRatio);
   }
+}
+
+/** What stands under the waterline: where the data of the aircraft end. */
+function caution(link) {
+  if (link.has(FLAG.beyondLinear)) return "LINEAR MODEL BEYOND 15 DEG - N NONLINEAR";
+  return link.has(FLAG.stalled) ? "STALL - LARGEST LIFT ASSUMED" : "";
 }
 
 function fit(canvas, ratio) {

@@ -21,7 +21,8 @@ const ADVICE = [
   "To turn, bank with →; to roll out, bank the other way. The linear aircraft keeps its height in a turn by itself: " +
     "a real one would need a little ↓.",
   "From outside (V) the orange surfaces are drawn deflected twice as far as they are, so that a few degrees can be seen.",
-  "The aircraft is linear about its trim: beyond 15° the display says so, and it flies unlike the real one.",
+  "The linear aircraft is right near its trim: beyond 15° the display says so, and it flies unlike the real one. Key N " +
+    "flies on with the nonlinear aircraft, which loops and rolls; its stall is assumed.",
   "A damper helps: press L for the yaw damper, or open Control for all six laws, their gains and their block diagram.",
   "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, triggers for the pedals, cross for the throttle.",
 ];

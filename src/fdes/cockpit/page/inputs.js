@@ -27,6 +27,8 @@ export class InputsPanel {
   /** `command(name, fields)` sends a command, shows its error, and says whether it was obeyed; `link` is the wire. */
   constructor(panel, command, link) {
     this.command = command;
+    this.plant = choice("Plant", [["linear", "Linear, small perturbations"], ["nonlinear", "Nonlinear, six degrees of freedom"]], "linear");
+    this.plant.select.addEventListener("change", () => this.command("plant", { plant: this.plant.select.value }).then((done) => done || this.show(this.aircraft)));
     this.form = choice("Equations", FORMS, "full");
     this.integrator = choice("Integrator", INTEGRATORS, "rk4");
     this.step = choice("Step", STEPS.map(stepName), stepName(STEPS[0]));
@@ -38,6 +40,7 @@ export class InputsPanel {
     const solve = html(
       "div",
       { class: "form-row" },
+      this.plant.label,
       this.form.label,
       this.integrator.label,
       this.step.label,
@@ -71,6 +74,8 @@ export class InputsPanel {
 
   /** What is flown: `aircraft` as in the server's message. */
   show(aircraft) {
+    this.aircraft = aircraft;
+    this.plant.select.value = aircraft.plant;
     this.form.select.value = aircraft.form;
     this.integrator.select.value = aircraft.integrator;
     const nearest = STEPS.reduce((a, b) => (Math.abs(b - aircraft.dt) < Math.abs(a - aircraft.dt) ? b : a));

@@ -11,6 +11,7 @@ export const KEYS = [
   { keys: ["I"], action: "instruments", does: "Choose the instruments" },
   { keys: ["H"], action: "hud", does: "Head-up display: full, declutter, off" },
   { keys: ["L"], action: "law", does: "Control laws on, off" },
+  { keys: ["N"], action: "plant", does: "Linear or nonlinear aircraft" },
   { keys: ["T"], action: "theme", does: "Dark, light" },
   { keys: ["?"], action: "help", does: "These keys" },
 ];

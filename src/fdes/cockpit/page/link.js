@@ -16,7 +16,7 @@ const REPLY_WITHIN = 5000; // ms
 const BACKOFF = { first: 250, longest: 5000 }; // ms
 const STALE = 1500; // ms without a frame: the picture on the screen is no longer true
 
-export const FLAG = { frozen: 1, recording: 2, replay: 4, beyondLinear: 8, ended: 16, late: 32 };
+export const FLAG = { frozen: 1, recording: 2, replay: 4, beyondLinear: 8, ended: 16, late: 32, stalled: 64 };
 
 export class Link {
   constructor(url) {
