@@ -1,0 +1,91 @@
+"""Trim in straight flight over a round, turning Earth: steady as seen from local axes that go along.
+
+Over such an Earth no flight is exactly steady: gravity changes underway, and the turning of the Earth pushes sideways.
+So speed, path and attitude are held against north, east and down at one place: there the accelerations along the body's
+x and z axes and in pitch are zero, wings level, and the rates are those at which the local axes turn.
+
+Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simulation, 3rd ed., sec. 1.6, for the radii;
+NASA/TM-2015-218675, appendix B, case 11, for the flight.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from fdes.analysis.trim import CALM, ENOUGH, FREE, ITERATIONS, TINY
+from fdes.elementary import atan2, sin, sqrt, tan
+from fdes.errors import SpecError, TrimError
+from fdes.physics.attitude import Three, quaternion, rotation, turned_back
+from fdes.physics.earth import Earth
+from fdes.physics.plant import SixDof, State, derivative, state_at
+from fdes.physics.signals import Surfaces
+from fdes.units import DEG, Meter, MeterPerSecond, Radian
+
+
+class Over(NamedTuple):
+    """Where and how to fly: the velocity over the Earth along north, east and down."""
+
+    latitude: Radian
+    longitude: Radian
+    h: Meter
+    north: MeterPerSecond
+    east: MeterPerSecond
+    down: MeterPerSecond = 0.0
+
+
+def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
+    """The plant over `earth`, its flights beginning in that one. Raises SpecError, TrimError.
+
+    SpecError: over a flat Earth, or straight up or down. TrimError: nothing balances it.
+    """
+    level = sqrt(over.north * over.north + over.east * over.east)
+    if earth.g or not level:
+        raise SpecError("This trim is along the surface of a round Earth: over a flat one, ask for an ordinary trim.")
+    course = atan2(over.east, over.north)
+    turning = local_rates(earth, over)
+    free = plant._replace(earth=earth, limits=FREE, rest=Surfaces())
+
+    def state(theta: float, throttle: float) -> State:
+        rates = turned_back(rotation(*quaternion(0.0 * theta, theta, course + 0.0 * theta)), *turning)
+        at, velocity = (over.latitude, over.longitude, over.h), (over.north, over.east, over.down)
+        x = state_at(earth, at, velocity, (0.0 * theta, theta, course + 0.0 * theta), rates)
+        return x._replace(power=plant.settled(plant.engine, throttle))
+
+    def accelerations(z: list[float]) -> list[float]:
+        theta, elevator, throttle = z
+        rate = derivative(free, state(theta, throttle), Surfaces(elevator, throttle=throttle), CALM)
+        return [rate.u, rate.w, rate.q]
+
+    z = np.array([atan2(plant.initial.w, plant.initial.u) + atan2(-over.down, level), 0.0, plant.rest.throttle])
+    left = np.array(accelerations(z.tolist()))
+    for _ in range(ITERATIONS):
+        if np.abs(left).max() < ENOUGH:
+            break
+        columns = []
+        for k in range(len(z)):
+            stepped = [complex(v, TINY if i == k else 0.0) for i, v in enumerate(z.tolist())]
+            columns.append([v.imag / TINY for v in accelerations(stepped)])  # type: ignore[arg-type]  # complex steps
+        z -= np.linalg.solve(np.array(columns).T, left)
+        left = np.array(accelerations(z.tolist()))
+    theta, elevator, throttle = z.tolist()
+    short = np.abs(left).max() > 100.0 * ENOUGH or not 0.0 <= throttle <= 1.0
+    found = plant._replace(earth=earth, initial=state(theta, throttle), rest=Surfaces(elevator, throttle=throttle))
+    if short:
+        raise TrimError(
+            f"No trim over that Earth: the nearest has pitch {theta / DEG:.4g} deg, elevator {elevator / DEG:.4g} deg, "
+            f"throttle {throttle:.4g}, and still accelerates by {np.abs(left).max():.2g} m/s^2 or rad/s^2. "
+            "Ask for another speed or height.",
+            best=found,
+            nearest=None,
+        )
+    return found
+
+
+def local_rates(earth: Earth, over: Over) -> Three:
+    """At which north, east and down turn against the Earth, about themselves [rad/s]. Sec. 1.6."""
+    e2 = earth.flattening * (2.0 - earth.flattening)
+    w = 1.0 - e2 * sin(over.latitude) * sin(over.latitude)
+    across = earth.a / sqrt(w)
+    along = earth.a * (1.0 - e2) / (w * sqrt(w))
+    longitude_dot = over.east / (across + over.h)
+    return longitude_dot, -over.north / (along + over.h), -longitude_dot * tan(over.latitude)
