@@ -186,3 +186,23 @@ def _when_whole(folder: Path, name: str) -> Recording:
         if thread.name.startswith("closing"):
             thread.join(5.0)
     return open_recording(next(folder.glob(f"{name}*")))
+
+
+def test_what_if_flies_the_same_stick_with_the_other_plant(tmp_path: Path) -> None:
+    """Near trim the two agree; the recording's trim and lever are those of whichever flies."""
+    session = flying(LINEAR, tmp_path)
+    name = session.start_recording()
+    pull(session, 0.05)
+    fly(session, 240)
+    session.stop_recording()
+    recording = _when_whole(tmp_path, name)
+    other = what_if(recording, "plant=nonlinear").recording
+    assert other.header["plant"] == "nonlinear"
+    assert other.header["trim"]["h"] == pytest.approx(recording["h"][0], abs=1e-9)
+    assert not np.array_equal(other["q"], recording["q"])
+    assert np.abs(other["q"] - recording["q"]).max() < 0.1 * np.abs(recording["q"]).max()
+    assert np.abs(other["V"] - recording["V"]).max() < 1.0
+    back = what_if(other, "plant=linear").recording
+    assert np.allclose(back["q"], recording["q"], rtol=0.0, atol=1e-9)
+    jet = what_if(other, "aircraft=F-104A").recording
+    assert jet["V"][0] == pytest.approx(make_craft(load("F-104A").at()).briefing["V"], rel=1e-3)

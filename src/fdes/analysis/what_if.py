@@ -9,17 +9,29 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import numpy as np
+
 from fdes.aircraft import FlightCondition, edited, load, parse
 from fdes.analysis.design import law_for
-from fdes.analysis.flown_plant import plant_in
+from fdes.analysis.flown_plant import is_nonlinear, plant_in
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
 from fdes.flight.actuated import with_actuators
+from fdes.flight.crossing import as_far
+from fdes.flight.recorder import columns_of
 from fdes.flight.reflight import Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
 from fdes.shelf import shelf
 
-WORDS = ("aircraft", "condition", "variant", "form", "integrator", "law")  # what can be put instead of what was flown
+WORDS = (
+    "aircraft",
+    "condition",
+    "variant",
+    "plant",
+    "form",
+    "integrator",
+    "law",
+)  # what can be put instead of what was flown
 OF_THE_AIRCRAFT = ("aircraft", "condition", "variant")
 
 
@@ -66,7 +78,8 @@ def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
     """`recording` flown again, unchanged or with a `variation`: same stick, same test inputs, same air.
 
     A variation may be given as its text, which `Variation.parse` reads.
-    On another aircraft the throttle lever is moved by as much as its trim is elsewhere. Raises FdesError where the
+    On another aircraft, and with the other plant, the flight begins as far from trim as it did, and the throttle lever
+    is moved by as much as trim is elsewhere. Raises FdesError where the
     variation cannot be, RecordingError where the recording does not say enough.
     """
     if isinstance(variation, str):
@@ -76,11 +89,8 @@ def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
         new = other.header(recording.header)
         gains = law_for(new["law"], condition_of(new), new["form"], frame=new["dt"]).text
         other = _Other(replace(variation, instead={**variation.instead, "law": gains}))
-    if variation.instead.keys() & set(OF_THE_AIRCRAFT):
-        lever = other.condition(recording.header).trim_throttle - condition_of(recording.header).trim_throttle
-        moved = recording.data.copy()
-        moved[:, [c.name for c in recording.columns].index("stick_throttle")] += lever
-        recording = replace(recording, data=moved)
+    if variation.instead.keys() & {*OF_THE_AIRCRAFT, "plant"}:
+        recording = _begun_by(recording, other)
     return fly_again(recording, other.setup, lambda header: other.header(header) | {"what_if": variation.text})
 
 
@@ -102,10 +112,11 @@ class _Other:
     def header(self, recorded: Mapping[str, Any]) -> dict[str, Any]:
         """The header of what is flown, where `recorded` was."""
         instead = self.variation.instead
-        new = dict(recorded) | {key: instead[key] for key in ("form", "integrator", "law") if key in instead}
+        new = dict(recorded) | {key: instead[key] for key in ("plant", "form", "integrator", "law") if key in instead}
         if instead.keys() & set(OF_THE_AIRCRAFT):
             new |= self._aircraft(recorded)
-        return new | {"changes": [*recorded.get("changes", ()), *self.variation.changes]}
+        new |= {"changes": [*recorded.get("changes", ()), *self.variation.changes]}
+        return new | _trim_of(new, recorded) if is_nonlinear(new) else new
 
     def _aircraft(self, recorded: Mapping[str, Any]) -> dict[str, Any]:
         """Another aircraft of the hangar, or another condition or variant of the same."""
@@ -126,13 +137,49 @@ class _Other:
             "document": flown.document,
         }
 
-    def condition(self, recorded: Mapping[str, Any]) -> FlightCondition:
-        """The aircraft of that header."""
-        return condition_of(self.header(recorded))
-
     def setup(self, recorded: Mapping[str, Any]) -> Setup:
         """What flies."""
         return setup_of(self.header(recorded))
+
+
+def _trim_of(new: Mapping[str, Any], recorded: Mapping[str, Any]) -> dict[str, Any]:
+    """Where the nonlinear plant of the header `new` is trimmed: as far from its condition as `recorded` was."""
+    before, after = condition_of(recorded).reference, condition_of(new).reference
+    said = recorded.get("trim", {})
+    V, h = said.get("V", before.V), said.get("h", before.h)
+    return {"trim": {**said, "V": V + (after.V - before.V), "h": h + (after.h - before.h)}}
+
+
+def _begun_by(recording: Recording, other: _Other) -> Recording:
+    """`recording` with the first state as what flies instead has it, and the throttle lever about its trim.
+
+    Raises RecordingError where the aircraft was reset after an edit: the state of the reset is that of what flew.
+    """
+    header = dict(recording.header)
+    names = [c.name for c in recording.columns]
+    changed = False
+    for edit in recording.edits:
+        changed = changed or list(edit.get("changes", header.get("changes", ()))) != list(header.get("changes", ()))
+        if edit.get("reset") and changed and (is_nonlinear(header) or is_nonlinear(other.header(header))):
+            raise RecordingError(
+                f"The recording was reset at {edit['t']:g} s, after the aircraft was edited: from there it cannot be "
+                "flown by another aircraft or plant. End a recording before the reset."
+            )
+    if "trim" not in header and "h" in names:
+        header["trim"] = {"V": condition_of(header).reference.V, "h": float(recording["h"][0])}
+    before, after = setup_of(header).plant, other.setup(header).plant
+    own = [i for i, name in enumerate(names) if name.startswith("state_")]
+    starts = [0, *(k for e in recording.edits if e.get("reset") for k in np.flatnonzero(recording["t"] == e["t"]))]
+    kind, columns = type(before.start()), columns_of(type(after.start()))
+    data = np.zeros((len(recording.data), len(columns)))
+    for k, column in enumerate(columns):
+        if column.name in names and not column.name.startswith("state_"):
+            data[:, k] = recording.data[:, names.index(column.name)]
+    new = [k for k, column in enumerate(columns) if column.name.startswith("state_")]
+    for row in starts:
+        data[row, new] = as_far(kind(*recording.data[row, own].tolist()), before, after, before.trim())
+    data[:, [c.name for c in columns].index("stick_throttle")] += after.trim().throttle - before.trim().throttle
+    return replace(recording, header=header, columns=columns, data=data)
 
 
 def setup_of(header: Mapping[str, Any]) -> Setup:

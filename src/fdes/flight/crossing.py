@@ -21,6 +21,11 @@ def carried(x: Any, before: Plant, after: Plant, surfaces: Surfaces) -> Any:
     """The state `x` of `before` as `after` has it, actuators and all; new actuators begin at the `surfaces`."""
     if not crosses(before, after):
         return fitted(x, after, surfaces)
+    return as_far(x, before, after, surfaces)
+
+
+def as_far(x: Any, before: Plant, after: Plant, surfaces: Surfaces) -> Any:
+    """The state of `after` that is as far from its undisturbed flight as `x` is from that of `before`."""
     return fitted(_as(bare(after), _deviations(bare(before), fitted(x, bare(before), surfaces))), after, surfaces)
 
 
