@@ -33,6 +33,11 @@ def explain(error: ValidationError, document: dict[str, Any]) -> str:
     return "\n".join([*lines[:SHOWN], *more])
 
 
+def by_place(error: ValidationError) -> list[tuple[tuple[int | str, ...], str]]:
+    """All mistakes that validation found: the keys that lead to each, and what is wrong there."""
+    return [(e["loc"], _sentence(dict(e))) for e in error.errors()]
+
+
 def _place(loc: tuple[int | str, ...], document: dict[str, Any]) -> str:
     """Where in the file: ``derivatives.Cl_p of condition 'M0.4_SL' ``. A condition goes by its id."""
     if len(loc) > 1 and loc[0] == "conditions" and isinstance(loc[1], int):

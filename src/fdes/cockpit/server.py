@@ -22,7 +22,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from fdes import __version__
-from fdes.cockpit import commands, wire
+from fdes.cockpit import commands, draft, wire
 from fdes.cockpit.cabins import Cabin, Cabins
 from fdes.cockpit.columns import chosen_columns
 from fdes.cockpit.files import Folder
@@ -75,6 +75,25 @@ class Site:
         """All aircraft that can be chosen."""
         fleet = self._cabins.fleet
         return Response(await asyncio.to_thread(lambda: fleet.pictures), media_type="application/json")
+
+    async def choices(self, request: Request) -> Response:
+        """What the form for a new aircraft offers."""
+        fleet = self._cabins.fleet
+        return JSONResponse(await asyncio.to_thread(lambda: draft.choices(fleet.aircraft)))
+
+    async def document(self, request: Request) -> Response:
+        """The content of one aircraft's file."""
+        fleet, name = self._cabins.fleet, request.path_params["name"]
+        return JSONResponse(await asyncio.to_thread(lambda: fleet.named(name).document))
+
+    async def review(self, request: Request) -> Response:
+        """What is wrong with an aircraft that is being written. Nothing of it is kept."""
+        body = b""
+        async for piece in request.stream():
+            body += piece
+            if len(body) > draft.LARGEST:
+                raise HTTPException(413, f"The aircraft is too large: {draft.LARGEST} bytes are the most.")
+        return JSONResponse(await asyncio.to_thread(draft.reviewed, body))
 
     async def recordings(self, request: Request) -> Response:
         """All recordings, newest first. Those who ask while the folder is being read share what is found."""
@@ -179,6 +198,9 @@ def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
             Route("/api/instruments", site.instruments),
             Route("/api/version", site.version),
             Route("/api/aircraft", site.aircraft),
+            Route("/api/new-aircraft", site.choices),
+            Route("/api/new-aircraft", site.review, methods=["POST"]),
+            Route("/api/new-aircraft/from/{name}", site.document),
             Route("/api/recordings", site.recordings),
             Route("/api/recordings/{name}.csv", site.csv),
             Route("/api/recordings/{name}.json", site.columns),

@@ -19,7 +19,7 @@ export class AircraftPicker {
     this.variant = "corrected";
     this.error = html("p", { class: "problem", role: "alert" });
     this.cards = html("div", { class: "hangar" });
-    dialog.querySelector(".dialog-body").append(this.choice(), this.error, this.cards);
+    dialog.querySelector(".dialog-body").append(html("div", { class: "picker-head" }, this.choice(), this.newAircraft()), this.error, this.cards);
   }
 
   choice() {
@@ -42,6 +42,14 @@ export class AircraftPicker {
         ),
       ),
     );
+  }
+
+  newAircraft() {
+    const open = () => {
+      this.dialog.close();
+      document.dispatchEvent(new Event("new-aircraft"));
+    };
+    return html("button", { type: "button", "aria-haspopup": "dialog", onclick: open }, "New aircraft…");
   }
 
   setCurrent(aircraft) {

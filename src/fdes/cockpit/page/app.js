@@ -123,6 +123,20 @@ async function chooseAircraft() {
   }
 }
 
+let newAircraft = null; // fetched when it is opened
+
+/** The form for a new aircraft. */
+async function openNewAircraft() {
+  try {
+    const { NewAircraft } = await import("./new_aircraft.js");
+    newAircraft ??= await NewAircraft.made(flyFile, () => link.latest.get("aircraft"));
+    newAircraft.open();
+  } catch (error) {
+    topBar.complain(`The form for a new aircraft could not be opened. ${error.message}`);
+  }
+}
+document.addEventListener("new-aircraft", openNewAircraft);
+
 /** Sends a command; a refusal is shown to the user. Resolves to whether it was done. */
 async function command(name, fields) {
   try {
@@ -135,11 +149,20 @@ async function command(name, fields) {
 }
 
 /** Another aircraft. The stick rests until the aircraft message: the old throttle would already fly it. */
-async function fly(aircraft, condition, variant) {
+function fly(aircraft, condition, variant) {
+  return another(() => link.command("aircraft", { aircraft, condition, variant }));
+}
+
+/** The aircraft of a file, likewise. */
+function flyFile(text) {
+  return another(() => link.openText(0, text));
+}
+
+async function another(ask) {
   cockpit.flying = false;
   flown = null;
   try {
-    await link.command("aircraft", { aircraft, condition, variant });
+    await ask();
   } catch (error) {
     cockpit.flying = pilot;
     throw error;

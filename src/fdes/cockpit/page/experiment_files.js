@@ -41,7 +41,7 @@ class FilesDialog {
         row([button("Aircraft as flown (.toml)", () => this.saveAircraft()), button("Experiment (.json)", () => this.saveExperiment())]),
         html("p", { class: "quiet-words" }, "The aircraft file keeps the printed values, and flies the same to the last bit. The experiment is aircraft, changes, law, equations and the last test input."),
         html("h3", {}, "Open"),
-        this.file,
+        row([this.file, button("New aircraft…", () => this.newAircraft())]),
         html("h3", {}, html("label", { for: "experiment-link" }, "Share by a link that reopens the experiment")),
         html("div", { class: "link-row" }, this.address, button("Copy", () => this.copy())),
         this.said,
@@ -59,6 +59,11 @@ class FilesDialog {
       const { experiment } = await this.link.command("share");
       this.address.value = `${location.origin}/#experiment=${codeOf(JSON.stringify(experiment))}`;
     });
+  }
+
+  newAircraft() {
+    this.element.close();
+    document.dispatchEvent(new Event("new-aircraft"));
   }
 
   saveAircraft() {
@@ -108,7 +113,8 @@ class FilesDialog {
   }
 }
 
-function download(name, text, type) {
+/** Keeps `text` as a file of the user's. */
+export function download(name, text, type) {
   const url = URL.createObjectURL(new Blob([text], { type }));
   html("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);

@@ -85,7 +85,7 @@ export class VariableStability {
         `${shorter(change)} ✕`,
       ),
     );
-    this.changed.replaceChildren(...(names.size ? chips : ["As in the source: move a slider, and the aircraft flies on changed."]));
+    this.changed.replaceChildren(...(names.size ? chips : ["As in the source. Move a slider to change it."]));
     this.calculated.stale();
   }
 
