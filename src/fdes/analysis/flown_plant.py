@@ -44,15 +44,18 @@ def must_be_a_plant(name: str, integrator: str) -> None:
         )
 
 
-def trimmed(condition: FlightCondition, integrator: str, V: float, h: float) -> Trimmed:
-    """The nonlinear plant of `condition`, trimmed at `V` [m/s] and `h` [m]. Raises SpecError, TrimError, NoSuchPart."""
+def trimmed(condition: FlightCondition, integrator: str, V: float, h: float, **more: float) -> Trimmed:
+    """The nonlinear plant of `condition`, trimmed at `V` [m/s], `h` [m] and what `more` a `TrimSpec` has.
+
+    Raises SpecError, TrimError, NoSuchPart.
+    """
     from fdes.analysis.trim import TrimSpec, trim
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.physics.aero import DerivativeAero
 
     must_be_a_plant(NONLINEAR, integrator)
     plant = six_dof_of(condition, integrator)
-    point = trim(plant, TrimSpec(V, h))
+    point = trim(plant, TrimSpec(V, h, **more))
     stall = _stall(plant.aero) if isinstance(plant.aero, DerivativeAero) else None
     said = tuple(assumptions(condition, plant))
     return Trimmed(point.plant, V, h, point.alpha, point.theta, point.surfaces.throttle, stall, said)
@@ -73,5 +76,5 @@ def plant_in(header: Mapping[str, Any], condition: FlightCondition) -> "SmallPer
     """The plant that the header says, of `condition`; the nonlinear one trimmed as it was. Raises FdesError."""
     if not is_nonlinear(header):
         return plant_of(condition, header["form"], header["integrator"], header["dt"] / header.get("substeps", 1))
-    ref, said = condition.reference, header.get("trim", {})
-    return trimmed(condition, header["integrator"], said.get("V", ref.V), said.get("h", ref.h)).plant
+    ref = condition.reference
+    return trimmed(condition, header["integrator"], **{"V": ref.V, "h": ref.h, **header.get("trim", {})}).plant

@@ -13,7 +13,7 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition, edited, load, parse
 from fdes.analysis.design import law_for
-from fdes.analysis.flown_plant import is_nonlinear, plant_in
+from fdes.analysis.flown_plant import NONLINEAR, is_nonlinear, plant_in
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
 from fdes.flight.actuated import with_actuators
@@ -113,6 +113,8 @@ class _Other:
         """The header of what is flown, where `recorded` was."""
         instead = self.variation.instead
         new = dict(recorded) | {key: instead[key] for key in ("plant", "form", "integrator", "law") if key in instead}
+        if "plant" in instead and new["form"] == NONLINEAR:  # as `simulate` says it
+            new["form"] = "full"
         if instead.keys() & set(OF_THE_AIRCRAFT):
             new |= self._aircraft(recorded)
         new |= {"changes": [*recorded.get("changes", ()), *self.variation.changes]}
@@ -169,7 +171,7 @@ def _begun_by(recording: Recording, other: _Other) -> Recording:
         header["trim"] = {"V": condition_of(header).reference.V, "h": float(recording["h"][0])}
     before, after = setup_of(header).plant, other.setup(header).plant
     own = [i for i, name in enumerate(names) if name.startswith("state_")]
-    starts = [0, *(k for e in recording.edits if e.get("reset") for k in np.flatnonzero(recording["t"] == e["t"]))]
+    starts = [0, *(int(np.argmin(np.abs(recording["t"] - e["t"]))) for e in recording.edits if e.get("reset"))]
     kind, columns = type(before.start()), columns_of(type(after.start()))
     data = np.zeros((len(recording.data), len(columns)))
     for k, column in enumerate(columns):
