@@ -1,6 +1,6 @@
 """How well the cockpit keeps time: one pilot, a class of thirty, and a class that reloads its pages all at once.
 
-    python benchmarks/realtime.py [--pilots 30] [--seconds 15] [--loads 30]
+    python benchmarks/realtime.py [--pilots 30] [--seconds 15] [--loads 30] [--plant nonlinear]
 
 Starts `fdes fly` in a process of its own and flies it over WebSockets from this one: both share the computer's cores.
 Prints what was measured beside what is demanded. It judges nothing: gates belong on a quiet computer.
@@ -47,8 +47,9 @@ def main(argv: list[str] | None = None) -> list[Row]:
     options.add_argument("--pilots", type=int, default=30)
     options.add_argument("--seconds", type=float, default=15.0, help="length of each measurement")
     options.add_argument("--loads", type=int, default=30, help="page loads at once, while all pilots fly")
+    options.add_argument("--plant", default="linear", help="linear or nonlinear")
     chosen = options.parse_args(argv)
-    with tempfile.TemporaryDirectory() as data, cockpit(Path(data)) as (url, listening_after):
+    with tempfile.TemporaryDirectory() as data, cockpit(Path(data), chosen.plant) as (url, listening_after):
         busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else math.nan
         rows = [Row("load of the computer at the start", f"{busy:.1f}", "0")]
         rows += [Row("fdes fly to listening", f"{listening_after:.2f} s", "1 s")]
@@ -60,12 +61,12 @@ def main(argv: list[str] | None = None) -> list[Row]:
 
 
 @contextlib.contextmanager
-def cockpit(data: Path) -> Iterator[tuple[str, float]]:
+def cockpit(data: Path, plant: str = "linear") -> Iterator[tuple[str, float]]:
     """A cockpit in a process of its own: its address, and how long [s] it took until it listened."""
     command = shutil.which("fdes", path=str(Path(sys.executable).parent)) or "fdes"
     began = time.perf_counter()
     with subprocess.Popen(
-        [command, "fly", "--no-browser", "--port", "0", "--json", "--data", str(data)],
+        [command, "fly", "--no-browser", "--port", "0", "--json", "--plant", plant, "--data", str(data)],
         stdout=subprocess.PIPE,
         text=True,
     ) as process:

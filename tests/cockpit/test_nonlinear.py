@@ -28,7 +28,7 @@ def test_roll_inverted_by_the_keyboard(page: Any) -> None:
     page.wait_for_function("() => fdes.cockpit.words().small.includes('N NONLINEAR')")
     page.keyboard.press("n")
     page.wait_for_function("() => fdes.cockpit.aircraft.plant === 'nonlinear'")
-    assert page.locator("#plant-words").inner_text() == "nonlinear"
+    assert page.locator("#method-words").inner_text().endswith("· nonlinear")
     page.wait_for_function("() => Math.abs(fdes.drawn.phi) > 2.6")
     page.keyboard.up("ArrowRight")
     assert page.evaluate("() => fdes.cockpit.words().small") == ""

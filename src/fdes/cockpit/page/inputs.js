@@ -81,10 +81,11 @@ export class InputsPanel {
     const nearest = STEPS.reduce((a, b) => (Math.abs(b - aircraft.dt) < Math.abs(a - aircraft.dt) ? b : a));
     this.step.select.selectedIndex = STEPS.indexOf(nearest);
     const limit = aircraft.step_limit;
+    const whose = aircraft.plant === "linear" ? "" : ", of the linearized aircraft";
     const beyond = limit !== null && limit !== undefined && aircraft.dt > limit.step;
     this.limit.classList.toggle("is-beyond", beyond);
     this.limit.textContent = limit
-      ? `${aircraft.integrator} is stable up to ${figure(limit.step, 3)} s here (${limit.mode.replaceAll("_", " ")}).` +
+      ? `${aircraft.integrator} is stable up to ${figure(limit.step, 3)} s here (${limit.mode.replaceAll("_", " ")}${whose}).` +
         (beyond ? " This step is beyond it: what grows is the integrator's doing." : "")
       : `${aircraft.integrator} is stable at every step here.`;
   }

@@ -36,9 +36,9 @@ export class TopBar {
   showAircraft(aircraft) {
     write(byId("aircraft-name"), aircraft.name);
     write(byId("aircraft-condition"), aircraft.condition_name + (aircraft.variant === "printed" ? ", as printed" : ""));
-    write(byId("method-words"), `${aircraft.integrator} · 1/${Math.round(1 / aircraft.dt)} s ${aircraft.plant === "linear" ? ` · ${aircraft.form}` : ""}`);
+    write(byId("method-words"), `${aircraft.integrator} · 1/${Math.round(1 / aircraft.dt)} s · ${aircraft.plant === "linear" ? aircraft.form : aircraft.plant}`);
     const linear = aircraft.plant === "linear";
-    write(byId("plant-words"), aircraft.plant);
+    write(byId("plant-words"), linear ? "linear" : "");
     byId("method").title = linear
       ? "Integrator, its step, and the form of the linear equations. Press for the nonlinear aircraft (N)"
       : "Integrator and its step; six degrees of freedom, Levels and modes of the linearized aircraft. Press for the linear one (N)";
