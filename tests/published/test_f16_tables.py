@@ -4,6 +4,7 @@ F16_aero.dml, Mod P, 2013, and F16_prop.dml, 2012, of NASA/TM-2015-218675: every
 """
 
 import csv
+from hashlib import sha256
 from importlib.resources import files
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 
 from fdes.aircraft import load
 from fdes.analysis.table_derivatives import table_derivatives
+from fdes.flight.nonlinear import six_dof_of
 from fdes.physics.aero import Flow
 from fdes.physics.signals import Surfaces
 from fdes.physics.terms import TermAero, body_coefficients, ends, term_loads, term_signals
@@ -69,6 +71,47 @@ def test_all_shots_are_there() -> None:
     assert sizes.count((1, 12)) == 10
     assert sizes.count((5, 12)) == 2
     assert sizes.count((7, 12)) == 6
+
+
+# Of every table in F16_aero.dml and F16_prop.dml, read there: SHA-256 of its values, as %g with commas between.
+FINGERPRINTS = {
+    "CX_0": "6422fba670c1",
+    "CZ_0": "b9529825dd55",
+    "Cm_0": "1ae8f6a0d76a",
+    "Cl_0": "aa775929d7f1",
+    "Cn_0": "c8586f741d80",
+    "CX_q": "f919a8d8ee3d",
+    "CY_r": "1c6e84248a0e",
+    "CY_p": "a78561efc367",
+    "CZ_q": "7f5171884731",
+    "Cl_r": "8f19c721afc1",
+    "Cl_p": "6645bc3b0831",
+    "Cm_q": "7baf67731425",
+    "Cn_r": "0df20e554937",
+    "Cn_p": "122e06348972",
+    "Cl_da": "b6619b1bde9a",
+    "Cl_dr": "126f3a888b01",
+    "Cn_da": "ce73d719dde5",
+    "Cn_dr": "c73232f474a9",
+    "idle": "6ca82cdc0575",
+    "military": "0e97c556cfad",
+    "maximum": "b51eb0c04d06",
+}
+
+
+def test_every_number_of_every_table_is_the_published_one() -> None:
+    """The shots above visit some cells only."""
+    engine = F16.turbofan
+    assert engine is not None
+    grids = {name: t.values for name, t in TABLES.tables.items()}
+    grids |= {name: getattr(engine, name) for name in ("idle", "military", "maximum")}
+    found = {name: ",".join(f"{v + 0.0:g}" for row in rows for v in row) for name, rows in grids.items()}
+    assert {name: sha256(text.encode()).hexdigest()[:12] for name, text in found.items()} == FINGERPRINTS
+
+
+def test_rotor() -> None:
+    """Stevens, Lewis and Johnson, appendix A: 160 slug ft^2/s."""
+    assert six_dof_of(F16).inertia.Hx == pytest.approx(160.0 * SLUG * FOOT**2, rel=1e-12)
 
 
 def test_inertia() -> None:
