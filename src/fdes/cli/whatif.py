@@ -26,8 +26,9 @@ def whatif(
         typer.Option(
             "--try",
             metavar="TEXT",
-            help="What is different: 'Cm_q*=0.5', 'law=yaw_damper', 'integrator=euler', 'plant=nonlinear', 'aircraft=NAVION'; "
-            "several things with semicolons. Repeatable. Without it the recording is flown again as it was.",
+            help="What is different: 'Cm_q*=0.5', 'law=yaw_damper', 'integrator=euler', 'plant=nonlinear', "
+            "'aircraft=NAVION'; several things with semicolons. Repeatable. Without it the recording is flown again as "
+            "it was.",
         ),
     ] = None,
     out: Annotated[
