@@ -11,6 +11,7 @@ from axe_playwright_python.sync_playwright import Axe
 
 from fdes.aircraft import load
 from fdes.aircraft.load import aircraft_of
+from fdes.aircraft.save import as_toml
 from fdes.analysis import linear_model, modes
 from fdes.cockpit.draft import LARGEST, reviewed
 from fdes.errors import SpecError
@@ -104,6 +105,9 @@ def test_the_server_reviews_offers_and_refuses(http: httpx.Client, navion: dict[
     assert http.get("/api/new-aircraft/from/NAVION").json() == json.loads(json.dumps(navion))
     assert http.get("/api/new-aircraft/from/..%2F..%2Fmine.toml").status_code in {400, 404}
     assert http.post("/api/new-aircraft", json=navion).json()["errors"] == []
+    flown = http.post("/api/new-aircraft/from", content=as_toml(load("NAVION").at()).encode()).json()
+    assert flown["geometry"]["S"]["printed"] == 184
+    assert http.post("/api/new-aircraft/from", content=b"\xff").status_code == 400
     assert http.post("/api/new-aircraft", content=b"rubbish").status_code == 400
     assert http.post("/api/new-aircraft", content=b" " * (LARGEST + 1)).status_code == 413
     assert http.post("/api/new-aircraft", json=navion, headers={"origin": "http://evil.example"}).status_code == 403
@@ -148,6 +152,14 @@ def fill_in(page: Any, content: dict[str, Any]) -> None:
             page.fill(f"#new-{part}-{name}", str(given.get("corrected", given["printed"])))
             if "unit" in given:
                 page.get_by_label(f"Unit of {name}", exact=True).select_option(given["unit"])
+
+
+def test_what_flies_now_fills_the_form_with_its_changes(page: Any) -> None:
+    page.evaluate("() => window.fdes.link.command('edit', { changes: ['Cm_q*=0.5'] })")
+    page.get_by_label("Start from").select_option("flown")
+    page.wait_for_selector(GOOD)
+    assert float(page.input_value("#new-conditions-0-derivatives-Cm_q")) == pytest.approx(-1.8)
+    assert page.input_value("#new-assumed-max_thrust") != ""
 
 
 def test_the_navion_is_entered_by_hand_checked_mended_and_flown(

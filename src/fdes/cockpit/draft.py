@@ -13,6 +13,7 @@ from pydantic import ValidationError
 
 from fdes.aircraft import Aircraft, check, parse
 from fdes.aircraft.explain import by_place
+from fdes.aircraft.load import aircraft_of
 from fdes.aircraft.schema import UNLESS_SAID, AircraftFile, Assumed, Derivatives
 from fdes.errors import AircraftFileError, FdesError, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
@@ -61,6 +62,15 @@ def reviewed(body: bytes) -> dict[str, Any]:
 
     findings = [{**asdict(f), "fields": _fields_in(f.what)} for f in found]
     return {"errors": [], "findings": findings, "file": {"name": _file_name(content), "text": tomli_w.dumps(content)}}
+
+
+def content_of(body: bytes) -> dict[str, Any]:
+    """The content of an aircraft file that comes as TOML. Raises FdesError for what is none."""
+    try:
+        text = body.decode()
+    except UnicodeDecodeError:
+        raise SpecError("The aircraft cannot be read: it is not text in UTF-8.") from None
+    return dict(aircraft_of(text, "The aircraft").document)
 
 
 def _content(body: bytes) -> dict[str, Any]:

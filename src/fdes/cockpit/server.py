@@ -88,12 +88,11 @@ class Site:
 
     async def review(self, request: Request) -> Response:
         """What is wrong with an aircraft that is being written. Nothing of it is kept."""
-        body = b""
-        async for piece in request.stream():
-            body += piece
-            if len(body) > draft.LARGEST:
-                raise HTTPException(413, f"The aircraft is too large: {draft.LARGEST} bytes are the most.")
-        return JSONResponse(await asyncio.to_thread(draft.reviewed, body))
+        return JSONResponse(await asyncio.to_thread(draft.reviewed, await small_body(request)))
+
+    async def read_file(self, request: Request) -> Response:
+        """The content of an aircraft file that comes as TOML."""
+        return JSONResponse(await asyncio.to_thread(draft.content_of, await small_body(request)))
 
     async def recordings(self, request: Request) -> Response:
         """All recordings, newest first. Those who ask while the folder is being read share what is found."""
@@ -200,6 +199,7 @@ def application(cabins: Cabins, *, loopback: bool = True) -> Starlette:
             Route("/api/aircraft", site.aircraft),
             Route("/api/new-aircraft", site.choices),
             Route("/api/new-aircraft", site.review, methods=["POST"]),
+            Route("/api/new-aircraft/from", site.read_file, methods=["POST"]),
             Route("/api/new-aircraft/from/{name}", site.document),
             Route("/api/recordings", site.recordings),
             Route("/api/recordings/{name}.csv", site.csv),
@@ -263,6 +263,16 @@ def found(cabins: Cabins, name: str) -> Path:
         return cabins.recording(name)
     except RecordingError as none:
         raise HTTPException(404, str(none)) from none
+
+
+async def small_body(request: Request) -> bytes:
+    """What was sent. Raises HTTPException 413 as soon as it is more than an aircraft may have."""
+    body = b""
+    async for piece in request.stream():
+        body += piece
+        if len(body) > draft.LARGEST:
+            raise HTTPException(413, f"The aircraft is too large: {draft.LARGEST} bytes are the most.")
+    return body
 
 
 def csv_blocks(recording: Recording) -> Iterator[str]:

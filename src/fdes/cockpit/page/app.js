@@ -129,7 +129,7 @@ let newAircraft = null; // fetched when it is opened
 async function openNewAircraft() {
   try {
     const { NewAircraft } = await import("./new_aircraft.js");
-    newAircraft ??= await NewAircraft.made(flyFile, () => link.latest.get("aircraft"));
+    newAircraft ??= await NewAircraft.made(flyFile, async () => (await link.command("save_aircraft")).text);
     newAircraft.open();
   } catch (error) {
     topBar.complain(`The form for a new aircraft could not be opened. ${error.message}`);

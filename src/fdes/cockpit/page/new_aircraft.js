@@ -9,9 +9,10 @@ const URL_OF = "/api/new-aircraft";
 const PAUSE = 350; // ms without typing before the linter is asked
 const G0 = 9.80665;
 const SOURCE = "FORM";
+const FLOWN = "flown";
 
 export class NewAircraft {
-  /** `fly(text)` flies the aircraft of a TOML file; `flown()` gives id and condition of the one that flies. */
+  /** `fly(text)` flies the aircraft of a TOML file; `flown()` gives that of the one that flies. */
   static async made(fly, flown) {
     fetchStyle("/page/new_aircraft.css");
     return new NewAircraft(fly, flown, await fetchJson(URL_OF));
@@ -30,7 +31,6 @@ export class NewAircraft {
     const groups = GROUPS.map(([title, fields]) => this.group(title, fields));
     const close = html("button", { class: "icon", "aria-label": "Close", onclick: () => this.element.close() }, "✕");
     this.flyButton = button("Fly it", () => this.use((file) => this.fly(file.text).then(() => this.element.close())));
-    this.flyButton.className = "primary";
     const save = button("Save (.toml)", () => this.use((file) => download(file.name, file.text, "application/toml")));
     this.element = html(
       "dialog",
@@ -56,13 +56,11 @@ export class NewAircraft {
   }
 
   open() {
-    const now = this.flown();
-    const flies = now && this.offered.some((each) => each.aircraft === now.id && each.condition === now.condition);
     refill(
       this.from,
       [
         ["", "nothing"],
-        ...(flies ? [[`${now.id}\n${now.condition}`, `flying now: ${now.name}, ${now.condition_name}`]] : []),
+        [FLOWN, "what flies now, with its changes"],
         ...this.offered.map((each) => [`${each.aircraft}\n${each.condition}`, `${each.name}: ${each.condition_name}`]),
       ],
       "",
@@ -135,10 +133,13 @@ export class NewAircraft {
     }
   }
 
-  /** Fills the form from an aircraft; `chosen` is its id and condition, or nothing. */
+  /** Fills the form from an aircraft; `chosen` is its id and condition, or what flies now, or nothing. */
   async start(chosen) {
     this.clear();
-    if (chosen) {
+    if (chosen === FLOWN) {
+      const content = await answered(await fetch(`${URL_OF}/from`, { method: "POST", body: await this.flown() }));
+      this.fill(content, content.conditions[0].id);
+    } else if (chosen) {
       const [aircraft, condition] = chosen.split("\n");
       this.fill(await fetchJson(`${URL_OF}/from/${encodeURIComponent(aircraft)}`), condition);
     }
@@ -147,6 +148,7 @@ export class NewAircraft {
 
   fill(content, id) {
     const condition = content.conditions.find((each) => each.id === id);
+    if (!condition.derivatives) throw new Error("It has dimensional derivatives or tables, which this form does not ask. Start from another one.");
     const mass = { ...(condition.mass ?? content.mass), ...condition.consistent_mass };
     const assumed = { ...content.assumed, ...condition.assumed };
     const from = { geometry: content.geometry, mass, assumed, conditions: [condition] };
@@ -209,8 +211,7 @@ export class NewAircraft {
     const turn = ++this.asked;
     try {
       const response = await fetch(URL_OF, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(this.content()) });
-      if (!response.ok) throw new Error((await response.json().catch(() => null))?.error ?? `The server answered ${response.status}.`);
-      const answer = await response.json();
+      const answer = await answered(response);
       if (turn === this.asked) this.show(answer);
       return answer.file;
     } catch (error) {
@@ -220,13 +221,18 @@ export class NewAircraft {
   }
 
   show({ errors, findings }) {
-    const marked = new Set([...errors, ...findings].flatMap(({ fields }) => fields));
-    for (const [place, { input }] of this.fields) input.toggleAttribute("data-marked", marked.has(place));
-    for (const [key, input] of Object.entries(this.texts)) input.toggleAttribute("data-marked", marked.has(key));
-    const wrong = new Set(errors.flatMap(({ fields }) => fields));
-    for (const [place, { input }] of this.fields) input.setAttribute("aria-invalid", String(wrong.has(place)));
     const gaps = errors.filter(({ what }) => what === "is missing.");
     const mistakes = errors.filter(({ what }) => what !== "is missing.");
+    const marked = new Set([...mistakes, ...findings].flatMap(({ fields }) => fields));
+    const empty = new Set(gaps.map(({ field }) => field));
+    for (const [place, { input }] of this.fields) input.toggleAttribute("data-marked", marked.has(place));
+    for (const [key, input] of Object.entries(this.texts)) input.toggleAttribute("data-marked", marked.has(key));
+    const wrong = new Set(mistakes.flatMap(({ fields }) => fields));
+    for (const [place, { input }] of this.fields) {
+      input.setAttribute("aria-invalid", String(wrong.has(place)));
+      input.toggleAttribute("data-empty", empty.has(place) && place !== THRUST);
+    }
+    const names = gaps.map(({ field }) => field).filter((place) => place !== THRUST || gaps.length === 1).map(nameOf);
     this.verdict.className = `verdict ${errors.length ? "is-open" : findings.length ? "is-doubted" : "is-good"}`;
     this.verdict.textContent = errors.length
       ? "It cannot fly yet."
@@ -235,7 +241,7 @@ export class NewAircraft {
         : "Nothing found. It can fly.";
     this.list.replaceChildren(
       ...mistakes.map(({ field, what }) => html("li", { class: "error" }, html("b", {}, `${nameOf(field)} ${what}`))),
-      ...(gaps.length ? [html("li", { class: "gap" }, html("b", {}, "Still empty: "), gaps.map(({ field }) => nameOf(field)).join(", "))] : []),
+      ...(gaps.length ? [html("li", { class: "gap" }, html("b", {}, "Still empty: "), names.join(", "))] : []),
       ...findings.map(({ severity, what, meaning, advice }) => html("li", { class: severity }, html("b", {}, what), html("p", {}, meaning), html("p", { class: "advice" }, advice))),
     );
     this.flyButton.disabled = errors.length > 0;
@@ -260,6 +266,13 @@ export class NewAircraft {
     this.verdict.className = "verdict is-open";
     this.verdict.textContent = sentence;
   }
+}
+
+/** What the server answered; fails with its own sentence. */
+async function answered(response) {
+  const text = await response.text();
+  if (response.ok) return JSON.parse(text);
+  throw new Error(text.startsWith("{") ? JSON.parse(text).error : text);
 }
 
 /** What stands at a place such as `mass.W`. */

@@ -13,7 +13,7 @@ export const WHY = "chosen for this example";
 export const THRUST = "assumed.max_thrust";
 
 export const TEXTS = [
-  ["id", "Short name, for commands", "my-aircraft"],
+  ["id", "Short name", "my-aircraft"],
   ["name", "Name", "My aircraft"],
   ["summary", "Summary", "Entered in the form."],
   ["source", "Source of the numbers", "entered by hand"],
@@ -44,8 +44,8 @@ export const GROUPS = [
   [
     "Flight condition: Mach, speed, or both",
     [
-      field(`${CONDITION}.mach`, "Mach number", null, null, { bare: true, optional: true }),
-      field(`${CONDITION}.speed`, "true airspeed", "m/s", "ft/s", { optional: true }),
+      field(`${CONDITION}.mach`, "Mach number, unless the speed is given", null, null, { bare: true }),
+      field(`${CONDITION}.speed`, "true airspeed, unless Mach is given", "m/s", "ft/s"),
       field(`${CONDITION}.altitude`, "altitude", "m", "ft"),
       field(`${CONDITION}.trim_alpha`, "trim angle of attack", "rad", "deg", { optional: true }),
       field(`${CONDITION}.density`, "air density, if not standard", "kg/m^3", "slug/ft^3", { optional: true }),
