@@ -160,6 +160,11 @@ def test_what_flies_now_fills_the_form_with_its_changes(page: Any) -> None:
     page.wait_for_selector(GOOD)
     assert float(page.input_value("#new-conditions-0-derivatives-Cm_q")) == pytest.approx(-1.8)
     assert page.input_value("#new-assumed-max_thrust") != ""
+    page.evaluate("() => window.fdes.link.command('aircraft', { aircraft: 'A-7A' })")
+    page.get_by_label("Start from").select_option("")
+    page.wait_for_selector(".new-aircraft .verdict.is-open")
+    page.get_by_label("Start from").select_option("flown")
+    page.get_by_text("It has dimensional derivatives or tables, which this form does not ask.").wait_for()
 
 
 def test_the_navion_is_entered_by_hand_checked_mended_and_flown(

@@ -26,6 +26,7 @@ export class NewAircraft {
     this.asked = 0;
     this.from = choice("Start from", []);
     this.from.select.addEventListener("change", () => this.attempt(() => this.start(this.from.select.value)));
+    this.from.select.addEventListener("input", (event) => event.stopPropagation()); // it asks for itself
     this.verdict = html("p", { class: "verdict", role: "status" });
     this.list = html("ul", { class: "review-list" });
     const groups = GROUPS.map(([title, fields]) => this.group(title, fields));
@@ -265,6 +266,7 @@ export class NewAircraft {
   tell(sentence) {
     this.verdict.className = "verdict is-open";
     this.verdict.textContent = sentence;
+    this.list.replaceChildren();
   }
 }
 
@@ -289,4 +291,4 @@ function entered(text) {
 }
 
 const nameOf = (place) => place.split(".").at(-1);
-const short = (value) => String(Number(value.toPrecision(4)));
+const short = (value) => String(Number(value.toPrecision(7)));
