@@ -29,6 +29,7 @@ def test_roll_inverted_by_the_keyboard(page: Any) -> None:
     page.keyboard.press("n")
     page.wait_for_function("() => fdes.cockpit.aircraft.plant === 'nonlinear'")
     assert page.locator("#method-words").inner_text().endswith("· nonlinear")
+    assert page.locator("#static-figures").inner_text().endswith("· all of the linearized aircraft")
     page.wait_for_function("() => Math.abs(fdes.drawn.phi) > 2.6")
     page.keyboard.up("ArrowRight")
     assert page.evaluate("() => fdes.cockpit.words().small") == ""

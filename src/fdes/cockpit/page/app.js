@@ -256,7 +256,7 @@ link.on("aircraft", (aircraft) => {
   topBar.showAircraft(aircraft);
   picker?.setCurrent(aircraft);
   inputs.show(aircraft);
-  modes.showStatic(aircraft.static);
+  modes.showStatic(aircraft.static, aircraft.plant);
   if (tabs.shown === "aircraft") drawSheet(byId("panel-aircraft"), aircraft);
 });
 link.on("modes", (message) => modes.show(message.modes, message.bare));

@@ -30,20 +30,22 @@ export class ModesPanel {
     table.addEventListener("focusin", ({ target }) => this.highlight(target.closest("tr")?.dataset.mode));
     table.addEventListener("focusout", () => this.highlight(null));
     this.static = null;
+    this.whose = "";
     this.trail = [];
     this.clear = html("button", { type: "button", class: "quiet clear-trail", hidden: true, title: "Clear the trail of the poles", "aria-label": "Clear the trail of the poles", onclick: () => this.clearTrail() }, "✕");
     document.querySelector(".levels-line").append(this.clear);
   }
 
   /** Static margin and its relatives: numbers in SI, or null where the aircraft has none. */
-  showStatic(figures) {
+  showStatic(figures, plant) {
     this.static = figures;
+    this.whose = plant === "nonlinear" ? " · all of the linearized aircraft" : "";
     this.describe(null);
   }
 
   /** The line under the table: the approximation to the mode pointed at, else the static figures. */
   describe(mode) {
-    this.figures.textContent = mode ? approximation(mode) : staticFigures(this.static);
+    this.figures.textContent = mode ? approximation(mode) : `${staticFigures(this.static)}${this.whose}`;
   }
 
   /** Forgets where the poles have been: with another aircraft, or when asked. */
