@@ -54,26 +54,25 @@ def level(page: Any, name: str) -> int:
 
 
 def pull(page: Any) -> float:
-    """The highest pitch rate [rad/s] in answer to an elevator pulse, from trim."""
-    page.evaluate(
-        """async () => {
-          const { link } = window.fdes;
-          await link.command("reset");
-          await new Promise((done) => setTimeout(done, 300));
-          await link.command("input", { text: "pulse elevator -2deg for 0.6s" });
-        }"""
-    )
+    """The highest pitch rate [rad/s] in answer to an elevator pulse, from trim; watched from before it begins."""
     return float(
         page.evaluate(
-            """() => new Promise((done) => {
+            """async () => {
+              const { link } = window.fdes;
+              await link.command("reset");
+              await new Promise((done) => setTimeout(done, 300));
               let most = -1e9;
-              const until = window.fdes.link.t + 2.5;
-              const look = ({ values, index, t }) => {
-                most = Math.max(most, values[index.q]);
-                if (t > until) done(most);
-              };
-              window.fdes.link.on("frame", look);
-            })"""
+              const until = link.t + 3.5;
+              const over = new Promise((done) =>
+                link.on("frame", ({ values, index, t }) => {
+                  if (t > until) done();
+                  else most = Math.max(most, values[index.q]);
+                }),
+              );
+              await link.command("input", { text: "pulse elevator -2deg for 0.6s" });
+              await over;
+              return most;
+            }"""
         )
     )
 
