@@ -67,7 +67,7 @@ def test_two_flights_are_read_at_a_time_and_subtracted(page: Any, tmp_path: Path
         page.keyboard.press("ArrowRight")
     at = float(page.locator(".overlay-readings thead th").first.inner_text().split()[1])
     (_, right), (_, left) = reading(page)
-    assert right > 3.0 > -3.0 > left
+    assert right > 1.0 > -1.0 > left  # flown by hand in real time: how far it banked is not the same each time
     with page.expect_download() as taken:
         page.click("#overlay >> text=Download CSV")
     taken.value.save_as(tmp_path / "overlay.csv")
