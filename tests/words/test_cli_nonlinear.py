@@ -55,3 +55,9 @@ def test_mistakes(words: list[str], said: str) -> None:
     done = run(app, words)
     assert done.exit_code == 2
     assert said in " ".join(done.stderr.split())
+
+
+def test_names_of_a_scenario_are_not_silently_left_out() -> None:
+    done = run(app, ["simulate", "F-16", "--plant", "nonlinear", "--names", "s119", "--duration", "1"])
+    assert done.exit_code == 2
+    assert "--names s119 is for a scenario, which says where on Earth it flies: give a --scenario." in done.stderr

@@ -119,8 +119,7 @@ def simulate(
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
-    if aircraft is None:
-        raise SpecError("There is nothing to fly: name an aircraft, as in fdes simulate A-4D, or give a --scenario.")
+    aircraft = _named(aircraft, names)
     target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
@@ -181,6 +180,15 @@ def _law(text: str, ready: "FlightCondition", form: str, dt: float, *, quiet: bo
     if not quiet:
         show_law(designed)
     return {"law": designed.law, "said": designed.text}
+
+
+def _named(aircraft: str | None, names: str) -> str:
+    """The aircraft that is to fly. Raises SpecError where there is none, or where only a scenario could be meant."""
+    if aircraft is None:
+        raise SpecError("There is nothing to fly: name an aircraft, as in fdes simulate A-4D, or give a --scenario.")
+    if names != "fdes":
+        raise SpecError(f"--names {names} is for a scenario, which says where on Earth it flies: give a --scenario.")
+    return aircraft
 
 
 def _clock(dt: float, substeps: int, duration: float) -> "Clock":
