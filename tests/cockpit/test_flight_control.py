@@ -122,7 +122,7 @@ def test_the_diagram_shows_signals_and_surfaces_at_their_limits(page: Any) -> No
     page.locator("#actuators").check()
     page.wait_for_function("() => window.fdes.link.latest.get('control').actuators.on")
     page.get_by_role("tab", name="Block diagram").click()
-    page.evaluate("() => window.fdes.link.command('input', { text: 'step rudder 12deg' })")
+    page.evaluate("() => window.fdes.link.command('input', { text: 'sine rudder 15deg period 0.6s for 20s' })")
     page.wait_for_function(
         "() => document.querySelector('.diagram-state').textContent.includes('rudder at its rate limit')"
     )
