@@ -67,7 +67,7 @@ def test_an_aircraft_that_the_server_does_not_offer_comes_along() -> None:
         ({"law": "./law.py"}, "no law"),
         ({"law": "fdes.control.laws.direct"}, "no law"),
         ({"law": "__import__('os').system('true')"}, "law"),
-        ({"form": "/tmp/form.py"}, "no form"),
+        ({"form": "/elsewhere/form.py"}, "no form"),
         ({"integrator": "../rk4.py"}, "no integrator"),
         ({"inputs": ["measured elevator from /etc/passwd"]}, "input"),
         ({"held": ["elevator 2deg; rudder 1deg"]}, "is incomplete"),

@@ -42,7 +42,7 @@ def test_says_what_is_wrong_with_a_file(tmp_path: Path, content: str | None, wor
     assert words in str(found.value)
 
 
-@pytest.mark.parametrize("path", ["./mine.py", "/tmp/mine.py", "mine.py", "..\\mine.py", "os", "fdes.cli"])
+@pytest.mark.parametrize("path", ["./mine.py", "/elsewhere/mine.py", "mine.py", "..\\mine.py", "os", "fdes.cli"])
 def test_what_data_can_say_never_runs_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.py").write_text("raise RuntimeError('it ran')", encoding="utf-8")
