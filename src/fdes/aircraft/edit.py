@@ -6,6 +6,9 @@ always makes the same aircraft. Some numbers carry others with them, as the text
 
     cg                   the moments are taken about the new place (`_about_new_cg`)
     m, S, V, mach, h     lift must carry the weight again: CL, CD, CD_alpha and the trim alpha follow (`_carrying`)
+
+Of an aircraft that is interpolated across Mach, a change of a derivative, of m, cg, S, b or c is made to each of its
+conditions; inertias, thrust and flight condition are those of the chosen one.
 """
 
 import math
@@ -27,6 +30,7 @@ Operator = Literal["=", "*=", "+="]
 FIGURES = ("m", "cg", "Ix", "Iy", "Iz", "Ixz", "S", "b", "c", "V", "mach", "h", "alpha", "T_max")  # besides derivatives
 POSITIVE = ("m", "Ix", "Iy", "Iz", "S", "b", "c", "V", "mach", "T_max")
 UNBALANCING = ("m", "S", "V", "mach", "h")
+OF_ALL_CONDITIONS = (*Coefficients._fields, "m", "cg", "S", "b", "c")  # across which an aircraft is interpolated
 SUITS_DIMENSIONAL = ("T_max",)  # what does not enter into dimensional derivatives
 MEANT = {"mass": "m", "weight": "m", "altitude": "h", "speed": "V", "trim_alpha": "alpha", "max_thrust": "T_max"}
 LOWEST, HIGHEST = -500.0, 30000.0  # m
@@ -135,7 +139,8 @@ def _unknown(condition: FlightCondition, said: str, known: tuple[str, ...]) -> S
     return NoSuchPart(f"number of the {condition.aircraft_id}", said, known, MEANT)
 
 
-def _changed(before: FlightCondition, change: Change) -> FlightCondition:
+def _changed(before: FlightCondition, change: Change, *, flown: bool = True) -> FlightCondition:
+    """One change made. flown: not only one of the conditions that what flies is interpolated with: it has an engine."""
     name = change.name
     if name not in editable(before):
         raise _unknown(before, name, editable(before))
@@ -155,8 +160,10 @@ def _changed(before: FlightCondition, change: Change) -> FlightCondition:
         )
     if name in UNBALANCING:
         after = _carrying(before, after)
-    if name in (*UNBALANCING, "CD", "T_max") and after.nondimensional:
+    if flown and name in (*UNBALANCING, "CD", "T_max") and after.nondimensional:
         after = _throttled(after, change)
+    if before.across and name in OF_ALL_CONDITIONS:
+        after = replace(after, across=tuple(_changed(other, change, flown=False) for other in before.across))
     return after
 
 

@@ -63,6 +63,8 @@ class FlightCondition:
     document: the whole content of the file.
     tables: the aerodynamics that the nonlinear plant has instead of derivatives, and `turbofan` its engine; None where
         the file has none.
+    configuration: of flaps and gear, by the file's word for it; None where that does not say.
+    across: other conditions, which the nonlinear plant is interpolated with in Mach (`fdes.aircraft.across`).
     changes: what was changed since (`fdes.aircraft.edit`); provenance and document are those of the unchanged aircraft.
     """
 
@@ -82,6 +84,8 @@ class FlightCondition:
     document: Mapping[str, Any] = field(repr=False)
     tables: Terms | None = field(default=None, repr=False)
     turbofan: TurbofanTables | None = field(default=None, repr=False)
+    configuration: str | None = None
+    across: "tuple[FlightCondition, ...]" = field(default=(), repr=False)
     changes: "tuple[Change, ...]" = ()
 
     @property
@@ -164,6 +168,7 @@ def flight_condition(
         document=document,
         tables=file.terms,
         turbofan=file.turbofan,
+        configuration=condition.configuration.name if condition.configuration else None,
     )
     _check(ready, drag)
     return replace(ready, notes=(*ready.notes, *waived_notes(ready)))

@@ -12,6 +12,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from fdes.aircraft.across import across as interpolated
 from fdes.aircraft.dimensional import DimensionalDerivatives
 from fdes.aircraft.explain import explain
 from fdes.aircraft.flight_condition import FlightCondition, flight_condition
@@ -56,11 +57,15 @@ class Aircraft:
     document: Mapping[str, Any] = field(repr=False)
     _ready: Mapping[tuple[str, Variant], FlightCondition] = field(repr=False)
 
-    def at(self, condition: str | None = None, variant: str = "corrected") -> FlightCondition:
+    def at(
+        self, condition: str | None = None, variant: str = "corrected", *, across: str | None = None
+    ) -> FlightCondition:
         """The aircraft in one of its conditions, the first when none is named.
 
         `variant` is ``corrected``, or ``printed``: the numbers as the source prints them, misprints too.
-        Raises NoSuchPart for a condition or a variant that the aircraft does not have.
+        across: ``mach``, for a nonlinear plant between this condition and the others of its configuration.
+        Raises NoSuchPart for a condition or a variant that the aircraft does not have, SpecError where it has no
+        conditions that can be interpolated.
         """
         known = {fold(c.id): c.id for c in self.conditions}
         chosen = self.conditions[0].id if condition is None else known.get(fold(condition))
@@ -68,7 +73,10 @@ class Aircraft:
             raise NoSuchPart(f"flight condition of the {self.id}", str(condition), known.values())
         for each in VARIANTS:
             if each == variant:
-                return self._ready[chosen, each]
+                ready = self._ready[chosen, each]
+                if across is None:
+                    return ready
+                return interpolated(ready, [self._ready[c.id, each] for c in self.conditions], across)
         raise NoSuchPart("variant", variant, VARIANTS)
 
 

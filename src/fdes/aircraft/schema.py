@@ -173,6 +173,16 @@ class FlyingQualities(Part):
         return self
 
 
+class Configuration(Part):
+    """In which configuration of flaps and gear a condition is, such as ``clean``, and how that is known.
+
+    Conditions of one configuration can be interpolated across Mach.
+    """
+
+    name: str = Field(min_length=1)
+    reason: str = Field(min_length=1)
+
+
 class Condition(Part):
     """One straight and level flight condition. Speed and density are the standard atmosphere's unless given.
 
@@ -188,6 +198,7 @@ class Condition(Part):
     density: Density | None = None
     gravity: Gravity | None = None
     trim_alpha: Angle | None = None
+    configuration: Configuration | None = None
     notes: tuple[str, ...] = Field(default=(), strict=False)
     mass: MassProperties | None = None
     derivatives: Derivatives | None = None

@@ -99,7 +99,8 @@ def condition_of(header: Mapping[str, Any]) -> FlightCondition:
     lacking = [key for key in ("document", "condition", "variant", "form", "integrator", "dt") if key not in header]
     if lacking:
         raise RecordingError(f"The recording does not say what was flown: its header lacks {', '.join(lacking)}.")
-    flown = parse(header["document"], "The aircraft in the recording").at(header["condition"], header["variant"])
+    aircraft = parse(header["document"], "The aircraft in the recording")
+    flown = aircraft.at(header["condition"], header["variant"], across=header.get("across"))
     return edited(flown, header.get("changes", ()))
 
 
@@ -137,6 +138,7 @@ class _Other:
             "condition": flown.condition,
             "variant": flown.variant,
             "document": flown.document,
+            **({"across": None} if name and recorded.get("across") else {}),  # its own conditions, no others'
         }
 
     def setup(self, recorded: Mapping[str, Any]) -> Setup:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fdes.cli.options import FLAG, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
+from fdes.cli.options import FLAG, Across, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table
 
 DUST = 1e-12  # what rounding leaves of a zero
@@ -18,6 +18,7 @@ def linearize(
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     changes: Changes = None,
+    across: Across = None,
     thrust_held: Annotated[
         bool,
         typer.Option("--thrust-held", metavar=FLAG, help="Thrust does not change with speed, as in the linear plant."),
@@ -35,7 +36,7 @@ def linearize(
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.flight.table_ends import beyond_tables
 
-    ready = chosen(aircraft, condition, variant, changes)
+    ready = chosen(aircraft, condition, variant, changes, across)
     default = TrimSpec(ready.reference.V, ready.reference.h)
     plant = six_dof_of(ready)
     point = trim(plant, spec_of(wanted, default) if wanted else default)

@@ -40,6 +40,10 @@ Changes = Annotated[
         help="Change a number: 'Cm_alpha=-0.3', 'Cn_r*=2', 'cg+=0.05', 'm=9000 kg'. Repeatable.",
     ),
 ]
+Across = Annotated[
+    str | None,
+    typer.Option("--across", metavar="mach", help="Interpolate the nonlinear plant between the aircraft's conditions."),
+]
 FLAG = ""  # a switch takes no value; Typer would show one
 LawText = Annotated[
     str | None,
@@ -61,11 +65,13 @@ Sampled = Annotated[
 AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, for other programs.")]
 
 
-def chosen(aircraft: str, condition: str | None, variant: str, changes: list[str] | None) -> "FlightCondition":
-    """The aircraft in its flight condition, with what `--set` changes. Raises FdesError."""
+def chosen(
+    aircraft: str, condition: str | None, variant: str, changes: list[str] | None, across: str | None = None
+) -> "FlightCondition":
+    """The aircraft in its flight condition, with what `--set` changes, interpolated `--across`. Raises FdesError."""
     from fdes.aircraft import edited, load
 
-    return edited(load(aircraft).at(condition, variant), changes or ())
+    return edited(load(aircraft).at(condition, variant, across=across), changes or ())
 
 
 def designed_law(

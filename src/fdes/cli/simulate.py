@@ -12,6 +12,7 @@ import typer
 from fdes.cli.law import show_law
 from fdes.cli.options import (
     FLAG,
+    Across,
     Changes,
     ConditionName,
     FormName,
@@ -104,6 +105,7 @@ def simulate(
             metavar="TEXT", help="Where the nonlinear flight begins, such as 'V=170 kt h=5000 ft turn=3 deg/s'."
         ),
     ] = None,
+    across: Across = None,
     names: Annotated[
         str, typer.Option(metavar="fdes|s119", help="Of a scenario's columns: ours, or those of NASA's check cases.")
     ] = "fdes",
@@ -115,7 +117,7 @@ def simulate(
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     if scenario is not None:
-        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim)):
+        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim, across)):
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
@@ -123,13 +125,14 @@ def simulate(
     target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
-    ready = chosen(aircraft, condition, variant, changes)
+    ready = chosen(aircraft, condition, variant, changes, across)
     clock = _clock(dt, substeps, duration)
     closed = {} if law is None else _law(law, ready, form, dt, quiet=out == STDOUT)
     given = {"integrator": integrator, "initial": initial or (), "limits": limits, **closed}
     start = None if height is None else parse(height, "m")
     if plant == "linear":
         _no_trim(trim)
+        _not_across(across)
         response = fly_it(ready, inputs or (), clock=clock, form=form, height=start, actuators=actuators, **given)
     else:
         _no_actuators(actuators)
@@ -167,6 +170,11 @@ def _write(response: "Recording", out: str | None, target: Path | None, units: s
 def _no_trim(trim: str | None) -> None:
     if trim is not None:
         raise SpecError("The linear plant flies about its flight condition: give --trim with --plant nonlinear.")
+
+
+def _not_across(across: str | None) -> None:
+    if across is not None:
+        raise SpecError("The linear plant is that of its flight condition: give --across with --plant nonlinear.")
 
 
 def _no_actuators(actuators: bool) -> None:

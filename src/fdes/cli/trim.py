@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
+from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table, working
 from fdes.errors import SpecError
 from fdes.units import DEG, parse
@@ -23,6 +23,7 @@ def trim(
     condition: ConditionName = None,
     variant: VariantName = "corrected",
     changes: Changes = None,
+    across: Across = None,
     heights: Annotated[
         str | None,
         typer.Option(metavar="TEXT", help="All speeds that can be flown at these, such as '0 ft, 10000 ft, 6 km'."),
@@ -40,7 +41,7 @@ def trim(
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.flight.table_ends import beyond_tables
 
-    ready = chosen(aircraft, condition, variant, changes)
+    ready = chosen(aircraft, condition, variant, changes, across)
     plant = six_dof_of(ready)
     default = TrimSpec(ready.reference.V, ready.reference.h)
     spec, said = spec_of(wanted, default) if wanted else default, assumptions(ready, plant)

@@ -64,7 +64,8 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     None when the header has no such copy, or one that this FDES cannot use.
     """
     try:
-        flown = parse(header["document"], name).at(header["condition"], header["variant"])
+        aircraft = parse(header["document"], name)
+        flown = aircraft.at(header["condition"], header["variant"], across=header.get("across"))
         control = Control(header.get("law", NONE), header.get("actuators", False))
         changes, plant = header.get("changes", ()), header.get("plant", LINEAR)
         form, integrator, dt = header["form"], header["integrator"], header["dt"]

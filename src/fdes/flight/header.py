@@ -3,6 +3,7 @@
 from typing import Any
 
 from fdes.aircraft import FlightCondition
+from fdes.aircraft.across import MACH
 from fdes.flight.simulation import Clock
 
 
@@ -18,6 +19,7 @@ def header_of(
         "condition": condition.condition,
         "variant": condition.variant,
         "changes": [str(change) for change in condition.changes],
+        **({"across": MACH} if condition.across else {}),
         "form": form,
         "integrator": integrator,
         "dt": clock.dt,

@@ -1,10 +1,12 @@
-"""Which signals of a flight were beyond the tables that its plant reads.
+"""Which signals of a flight were beyond the tables that its plant reads, or the conditions it is interpolated between.
 
-There a table is held or extrapolated, and the flight goes on: it is announced, not ended.
+There a table is held or extrapolated, or the nearest condition flies, and the flight goes on: it is announced, not
+ended.
 """
 
 from collections.abc import Mapping, Sequence
 
+from fdes.physics.across_mach import AcrossMach
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Outputs, Surfaces, channels
 from fdes.physics.terms import ends, term_loads
@@ -18,6 +20,8 @@ SLACK = 0.01  # of the range of a table: what is beyond it by less is not worth 
 def table_ends(plant: SixDof) -> dict[str, tuple[float, float]]:
     """The least and the greatest value of each signal that its tables know [SI]; empty where it has none."""
     found = ends(plant.aero) if plant.aerodynamics is term_loads else {}
+    if isinstance(plant.aero, AcrossMach):
+        found["mach"] = plant.aero.sets[0].mach_0, plant.aero.sets[-1].mach_0
     if isinstance(plant.engine, Turbofan):
         for name, axis in (("mach", plant.engine.mach), ("h", plant.engine.height)):
             low, high = found.get(name, (axis.breakpoints[0], axis.breakpoints[-1]))
@@ -26,11 +30,12 @@ def table_ends(plant: SixDof) -> dict[str, tuple[float, float]]:
 
 
 def beyond_tables(plant: SixDof, signals: Mapping[str, Sequence[float]], t: Sequence[float] | None = None) -> list[str]:
-    """A sentence for each signal that was beyond its tables, with when it left them first; `t` in s.
+    """A sentence for each signal that was beyond its tables or conditions, with when it left them first; `t` in s.
 
     signals: columns of `Outputs`, surfaces from those of `plant.rest`.
     """
     units = {c.name: c.unit for c in channels(Outputs)}
+    what = "conditions" if isinstance(plant.aero, AcrossMach) else "tables"
     said = []
     for name, (low, high) in table_ends(plant).items():
         rest = getattr(plant.rest, name) if name in SURFACES else 0.0
@@ -44,7 +49,7 @@ def beyond_tables(plant: SixDof, signals: Mapping[str, Sequence[float]], t: Sequ
         scale, unit = (1.0 / DEG, " deg") if units[name] == "rad" else (1.0, "" if name == "mach" else " m")
         when = f" from t = {t[out[0]]:g} s on" if t is not None else ""
         said.append(
-            f"{name} is beyond its tables{when}: it reaches {worst * scale:.4g}{unit}, and they end at "
+            f"{name} is beyond its {what}{when}: it reaches {worst * scale:.4g}{unit}, and they end at "
             f"{end * scale:.4g}{unit}. What is computed there is no longer the source's."
         )
     return said
