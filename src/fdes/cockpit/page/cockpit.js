@@ -13,7 +13,6 @@ import { makeWorld } from "./world.js";
 export const VIEWS = ["cockpit", "chase", "tower"];
 
 const KEPT = 3000; // latencies remembered
-const CHART_EVERY = 2; // frames: 30 pictures a second are smooth enough for a moving chart
 
 export class Cockpit {
   /** `parts`: canvases world, hud, instruments, chart; the element figures; and the link, stick, panel, chart, theme. */
@@ -129,8 +128,8 @@ export class Cockpit {
       this.hud.rememberLoad(drawn.n_z, link.t);
       outside.draw(view, drawn, cam, this.beside, now, ratio, this.words());
     }
-    this.panel.draw(drawn, ratio);
-    if (this.stats.frames % CHART_EVERY === 0) this.chart.draw(this.theme.colors, ratio);
+    if (this.stats.frames % 2) this.panel.draw(drawn, ratio); // needles and traces look the same at half the rate
+    else this.chart.draw(this.theme.colors, ratio);
     drawn.hudHorizon = this.hud.horizon;
     drawn.worldHorizon = this.world.horizon;
     this.onFrame(drawn);

@@ -8,6 +8,7 @@
  */
 
 import { flightPathMarker, ghostHorizon, horizonOf, ladder, waterline } from "./hud_conformal.js";
+import { Lettering } from "./hud_font.js";
 import { Ink } from "./hud_ink.js";
 import { bank, heading, readouts, scales } from "./hud_scales.js";
 import { clamp } from "./units.js";
@@ -16,6 +17,10 @@ export const HUD_MODES = ["full", "declutter", "off"];
 
 const GREEN = "#4dff94";
 const HALO = "rgba(0, 26, 12, 0.5)";
+const STROKES = [
+  [HALO, 4.2],
+  [GREEN, 1.75],
+]; // color, and width in units of k
 const BACKING = "rgba(2, 14, 9, 0.5)";
 const PLAQUE = "rgba(2, 14, 9, 0.78)";
 
@@ -23,6 +28,7 @@ export class Hud {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
+    this.lettering = new Lettering();
     this.mode = "full";
     this.horizon = { y: NaN, tilt: NaN };
     this.most = { t: Infinity, g: 1 };
@@ -55,11 +61,11 @@ export class Hud {
       if (this.mode === "full") scales(glass, state, this.most.g);
       else readouts(glass, state);
     }
-    this.paint(glass.ink, k);
+    this.paint(glass.ink, k, pixelRatio);
     const over = new Ink(); // words come last, on a dark ground of their own: the ladder passes behind them
     if (words.small) plaque(over, words.small, glass.cx, glass.cy + glass.R * 0.7, glass.letter);
     if (words.big) plaque(over, words.big, glass.cx, glass.cy - glass.R * 0.45, glass.letter * 2.4);
-    if (words.small || words.big) this.paint(over, k, PLAQUE);
+    if (words.small || words.big) this.paint(over, k, pixelRatio, PLAQUE);
   }
 
   /** The largest load factor since the flight began; a clock that runs back is a new flight. */
@@ -69,25 +75,22 @@ export class Hud {
     this.most.t = t;
   }
 
-  paint(ink, k, backing = BACKING) {
+  paint(ink, k, ratio, backing = BACKING) {
     const { context } = this;
     context.fillStyle = backing;
     context.fill(ink.backing);
     context.lineCap = context.lineJoin = "round";
     const dash = [7 * k, 5 * k];
-    for (const [color, width] of [
-      [HALO, 4.2],
-      [GREEN, 1.75],
-    ]) {
+    for (const [color, width] of STROKES) {
       context.strokeStyle = color;
       context.lineWidth = width * k;
       context.stroke(ink.lines);
       context.setLineDash(dash);
       context.stroke(ink.dashes);
       context.setLineDash([]);
-      context.lineWidth = width * 0.86 * k;
-      context.stroke(ink.letters);
     }
+    const fine = STROKES.map(([color, width]) => [color, width * 0.86 * k]);
+    for (const line of ink.texts) this.lettering.write(context, line, fine, ratio);
   }
 }
 

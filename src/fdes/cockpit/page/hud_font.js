@@ -51,6 +51,7 @@ const STROKES = {
 
 const HEIGHT = 6;
 const ADVANCE = 5.6;
+const DOT = 1.1; // px: how long a stroke of no length is drawn
 
 const GLYPHS = Object.fromEntries(
   Object.entries(STROKES).map(([letter, strokes]) => [
@@ -59,26 +60,72 @@ const GLYPHS = Object.fromEntries(
   ]),
 );
 
-/**
- * Adds `text` to `path`: letters `size` [px] high, the middle of the line at (x, y), turned by `angle` [rad].
- * `align` is -1 for text that starts at x, 0 for centered, 1 for text that ends there.
- */
-export function strokeText(path, text, x, y, size, align = 0, angle = 0) {
-  const unit = size / HEIGHT;
-  const width = (text.length * ADVANCE - (ADVANCE - 4)) * unit;
-  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-  let left = (-width * (align + 1)) / 2;
-  for (const letter of text) {
-    for (const stroke of GLYPHS[letter] ?? []) {
-      stroke.forEach(([gx, gy], i) => {
-        const dot = i === 1 && gx === stroke[0][0] && gy === stroke[0][1] ? 0.6 : 0;
-        const across = left + gx * unit;
-        const down = (gy - HEIGHT / 2) * unit;
-        const [px, py] = [x + across * cos - down * sin + dot, y + across * sin + down * cos];
-        if (i) path.lineTo(px, py);
-        else path.moveTo(px, py);
-      });
+/** Letters drawn once for each size, dark halo and green core, and copied from then on: strokes cost many times more. */
+export class Lettering {
+  constructor() {
+    this.sheets = new Map();
+  }
+
+  /**
+   * Writes `text` on `context`: letters `size` [px] high, the middle of the line at (x, y), turned by `angle` [rad].
+   * `align` is -1 for text that starts at x, 0 for centered, 1 for text that ends there. `strokes` are [color, width]
+   * pairs, drawn one over the other; `ratio` is device pixels per px.
+   */
+  write(context, { text, x, y, size, align, angle }, strokes, ratio) {
+    const sheet = this.sheet(size, strokes, ratio);
+    const unit = size / HEIGHT;
+    const width = (text.length * ADVANCE - (ADVANCE - 4)) * unit;
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    if (angle) context.setTransform(cos * ratio, sin * ratio, -sin * ratio, cos * ratio, x * ratio, y * ratio);
+    const [x0, y0] = angle ? [0, 0] : [x, y];
+    let left = x0 - (width * (align + 1)) / 2 - sheet.margin;
+    const top = y0 - size / 2 - sheet.margin;
+    for (const letter of text) {
+      const picture = sheet.of(letter);
+      if (picture) context.drawImage(picture, left, top, picture.width / ratio, picture.height / ratio);
+      left += ADVANCE * unit;
     }
-    left += ADVANCE * unit;
+    if (angle) context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  }
+
+  sheet(size, strokes, ratio) {
+    const key = `${size} ${ratio}`;
+    if (!this.sheets.has(key)) this.sheets.set(key, new Sheet(size, strokes, ratio));
+    return this.sheets.get(key);
+  }
+}
+
+/** The letters of one size. */
+class Sheet {
+  constructor(size, strokes, ratio) {
+    Object.assign(this, { unit: size / HEIGHT, strokes, ratio, pictures: new Map() });
+    this.margin = Math.max(...strokes.map(([, width]) => width)) / 2 + 1;
+  }
+
+  of(letter) {
+    if (!GLYPHS[letter]) return null;
+    if (!this.pictures.has(letter)) this.pictures.set(letter, this.draw(GLYPHS[letter]));
+    return this.pictures.get(letter);
+  }
+
+  draw(glyph) {
+    const { unit, margin, ratio, strokes } = this;
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.ceil((4 * unit + 2 * margin) * ratio);
+    canvas.height = Math.ceil((HEIGHT * unit + 2 * margin) * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    context.translate(margin, margin);
+    context.lineCap = context.lineJoin = "round";
+    for (const [color, width] of strokes) {
+      [context.strokeStyle, context.lineWidth] = [color, width];
+      context.beginPath();
+      for (const [[fromX, fromY], ...rest] of glyph) {
+        context.moveTo(fromX * unit, fromY * unit);
+        for (const [toX, toY] of rest) context.lineTo(toX * unit + (toX === fromX && toY === fromY ? DOT : 0), toY * unit);
+      }
+      context.stroke();
+    }
+    return canvas;
   }
 }

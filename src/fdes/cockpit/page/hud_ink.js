@@ -1,12 +1,10 @@
 /** Strokes of the head-up display, collected by how they are drawn. */
 
-import { strokeText } from "./hud_font.js";
-
 /** The strokes of one picture, by how they are drawn. */
 export class Ink {
   constructor() {
     this.lines = new Path2D();
-    this.letters = new Path2D();
+    this.texts = [];
     this.dashes = new Path2D();
     this.backing = new Path2D();
   }
@@ -34,7 +32,7 @@ export class Ink {
   }
 
   text(text, x, y, size, align = 0, angle = 0) {
-    strokeText(this.letters, text, x, y, size, align, angle);
+    this.texts.push({ text, x, y, size, align, angle });
   }
 }
 

@@ -9,6 +9,7 @@ export class Projector {
   constructor(context, cam) {
     this.context = context;
     this.cam = cam;
+    this.together = null;
     this.spread = Math.hypot(cam.width / 2, cam.height - cam.cy) / cam.f;
     this.slant = Math.hypot(1, this.spread);
   }
@@ -64,30 +65,30 @@ export class Projector {
     for (let i = 1; i < left.length; i++) this.polygon([left[i - 1], left[i], right[i], right[i - 1]], color);
   }
 
-  /** A straight road of `width` [m]; in the distance a hairline. */
-  strip(n0, e0, n1, e1, width, color) {
-    const line = clip([this.place(n0, e0), this.place(n1, e1)], false);
-    if (line.length < 2) return;
-    const [a, b] = line;
-    const along = [n1 - n0, e1 - e0];
-    const half = width / 2 / Math.hypot(...along);
-    const [dn, de] = [-along[1] * half, along[0] * half];
-    this.polygon(
-      [
-        [n0 + dn, e0 + de],
-        [n1 + dn, e1 + de],
-        [n1 - dn, e1 - de],
-        [n0 - dn, e0 - de],
-      ],
-      color,
-    );
+  /** Straight roads [n0, e0, n1, e1] of `width` [m]; in the distance hairlines. */
+  strips(roads, width, color) {
+    const hairlines = new Path2D();
+    this.ofOne(color, () => {
+      for (const [n0, e0, n1, e1] of roads) {
+        const line = clip([this.place(n0, e0), this.place(n1, e1)], false);
+        if (line.length < 2) continue;
+        hairlines.moveTo(...this.toScreen(line[0]));
+        hairlines.lineTo(...this.toScreen(line[1]));
+        const along = [n1 - n0, e1 - e0];
+        const half = width / 2 / Math.hypot(...along);
+        const [dn, de] = [-along[1] * half, along[0] * half];
+        this.polygon([
+          [n0 + dn, e0 + de],
+          [n1 + dn, e1 + de],
+          [n1 - dn, e1 - de],
+          [n0 - dn, e0 - de],
+        ]);
+      }
+    });
     const { context } = this;
     context.strokeStyle = color;
     context.lineWidth = FINEST;
-    context.beginPath();
-    context.moveTo(...this.toScreen(a));
-    context.lineTo(...this.toScreen(b));
-    context.stroke();
+    context.stroke(hairlines);
   }
 
   /** A light on the ground: never smaller than a pixel, so that it is seen from afar. */
@@ -101,13 +102,22 @@ export class Projector {
   }
 
   fill(corners, color) {
+    const path = this.together ?? new Path2D();
     const visible = clip(corners, true);
     if (visible.length < 3) return;
-    const { context } = this;
-    context.beginPath();
-    visible.forEach((corner, i) => context[i ? "lineTo" : "moveTo"](...this.toScreen(corner)));
-    context.fillStyle = color;
-    context.fill();
+    visible.forEach((corner, i) => path[i ? "lineTo" : "moveTo"](...this.toScreen(corner)));
+    if (this.together) return;
+    this.context.fillStyle = color;
+    this.context.fill(path);
+  }
+
+  /** What `draw` draws is of one `color`, and is filled together: a fill for each would cost too much. */
+  ofOne(color, draw) {
+    this.together = new Path2D();
+    draw();
+    this.context.fillStyle = color;
+    this.context.fill(this.together);
+    this.together = null;
   }
 }
 

@@ -133,34 +133,30 @@ function fieldsOfSize({ cam, look, lens }, ahead, size, salt, strength) {
 /** Lakes, the river, and the dark ground of woods. */
 function drawWater({ cam, look, lens }) {
   const water = css(mix(look.water, look.horizon, 0.25), mix([1, 1, 1], look.light, 0.5));
-  const [li, lj] = [Math.floor(cam.north / LAKELAND), Math.floor(cam.east / LAKELAND)];
-  for (let i = li - 3; i <= li + 3; i++) {
-    for (let j = lj - 3; j <= lj + 3; j++) {
-      const lake = lakeIn(i, j);
-      if (lake)
-        lens.polygon(
-          ring(lake.north, lake.east, 26, (angle) => shore(lake, angle)),
-          water,
-        );
+  lens.ofOne(water, () => {
+    const [li, lj] = [Math.floor(cam.north / LAKELAND), Math.floor(cam.east / LAKELAND)];
+    for (let i = li - 3; i <= li + 3; i++) {
+      for (let j = lj - 3; j <= lj + 3; j++) {
+        const lake = lakeIn(i, j);
+        if (lake) lens.polygon(ring(lake.north, lake.east, 26, (angle) => shore(lake, angle)));
+      }
     }
-  }
-  const bends = Array.from({ length: 41 }, (_, k) => (Math.floor(cam.north / 800) + k - 14) * 800);
-  const bank = (side) => bends.map((north) => [north, riverEast(north) + (side * RIVER_WIDTH) / 2]);
-  lens.band(bank(-1), bank(1), water);
+    const bends = Array.from({ length: 41 }, (_, k) => (Math.floor(cam.north / 800) + k - 14) * 800);
+    const bank = (side) => bends.map((north) => [north, riverEast(north) + (side * RIVER_WIDTH) / 2]);
+    lens.band(bank(-1), bank(1));
+  });
 
   const [wi, wj] = [Math.floor(cam.north / COUNTRY), Math.floor(cam.east / COUNTRY)];
   const reach = clamp(Math.ceil(cam.eye / 700), 4, 8);
-  const dark = css(look.wood, look.light, 0.85);
-  for (let i = wi - reach; i <= wi + reach; i++) {
-    for (let j = wj - reach; j <= wj + reach; j++) {
-      const wood = woodIn(i, j);
-      if (wood && !lens.outside(wood.north, wood.east, wood.radius))
-        lens.polygon(
-          ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))),
-          dark,
-        );
+  lens.ofOne(css(look.wood, look.light, 0.85), () => {
+    for (let i = wi - reach; i <= wi + reach; i++) {
+      for (let j = wj - reach; j <= wj + reach; j++) {
+        const wood = woodIn(i, j);
+        if (wood && !lens.outside(wood.north, wood.east, wood.radius))
+          lens.polygon(ring(wood.north, wood.east, 14, (angle) => wood.radius * (0.92 + 0.14 * Math.sin(3 * angle + i))));
+      }
     }
-  }
+  });
 }
 
 function ring(north, east, corners, radius) {
@@ -171,17 +167,17 @@ function ring(north, east, corners, radius) {
 }
 
 function drawRoads({ cam, look, lens }) {
-  const color = css(look.road, look.light, 0.9);
   const reach = 5;
   const [i0, j0] = [Math.round(cam.north / ROAD_SPACING), Math.round(cam.east / ROAD_SPACING)];
   const [south, north] = [(i0 - reach) * ROAD_SPACING, (i0 + reach) * ROAD_SPACING];
   const [west, east] = [(j0 - reach) * ROAD_SPACING, (j0 + reach) * ROAD_SPACING];
+  const roads = [];
   for (let k = -reach; k <= reach; k++) {
     const e = (j0 + k + 0.5) * ROAD_SPACING;
     const n = (i0 + k + 0.5) * ROAD_SPACING;
-    lens.strip(south, e, north, e, ROAD_WIDTH, color);
-    lens.strip(n, west, n, east, ROAD_WIDTH, color);
+    roads.push([south, e, north, e], [n, west, n, east]);
   }
+  lens.strips(roads, ROAD_WIDTH, css(look.road, look.light, 0.9));
 }
 
 function drawAirfield({ cam, look, lens, context }) {
@@ -190,8 +186,7 @@ function drawAirfield({ cam, look, lens, context }) {
   lens.rectangle(south - 120, south + length + 120, -95, 95, css(look.grass, look.light));
   for (const [n0, n1, e0, e1] of APRONS) lens.rectangle(n0, n1, e0, e1, css(look.apron, look.light));
   lens.rectangle(south, south + length, -width / 2, width / 2, css(look.runway, look.light));
-  const white = css(look.paint, look.light);
-  for (const mark of RUNWAY_PAINT) lens.rectangle(...mark, white);
+  lens.ofOne(css(look.paint, look.light), () => RUNWAY_PAINT.forEach((mark) => lens.rectangle(...mark)));
   if (look.lamps) {
     for (let n = 0; n <= length; n += 60)
       for (const side of [-1, 1]) lens.lamp(south + n, side * (width / 2 + 2), "#ffe9a8");
@@ -212,8 +207,8 @@ function drawStanding({ cam, look, lens }) {
       if (lens.outside((i + 0.5) * COUNTRY, (j + 0.5) * COUNTRY, COUNTRY)) continue;
       const cell = countryside(i, j);
       const near = Math.max(Math.abs(i - ci), Math.abs(j - cj)) < 2;
-      const trees = near ? cell.trees : cell.trees.filter((_, k) => k % 4 === 0); // far off every fourth is enough
-      for (const tree of trees) addTree(shades, tree, cam, lens);
+      const every = near ? 1 : 4; // far off every fourth tree is enough
+      for (let k = 0; k < cell.trees.length; k += every) addTree(shades, cell.trees[k], cam, lens);
       boxes.push(...cell.boxes);
     }
   }
