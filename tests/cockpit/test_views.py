@@ -161,6 +161,50 @@ def test_a_frozen_chart_goes_back_and_returns_with_the_flight(page: Any) -> None
     assert page.evaluate("() => fdes.chart.past") == 0
 
 
+def test_a_heading_through_north_breaks_its_line(page: Any) -> None:
+    """Turning right through 180 deg, the heading goes on at -180 deg: no line is drawn across the lane between them."""
+    page.keyboard.press("f")
+    page.wait_for_function("() => fdes.link.has(1)")
+    lines = page.evaluate(
+        """() => {
+          const { chart } = fdes;
+          const row = chart.values.slice(0, chart.channels.length);
+          const [psi, theta] = [chart.index.psi, chart.index.theta];
+          const from = fdes.link.t;
+          chart.setLanes([["psi"], ["theta"]]);
+          chart.clear();
+          for (let k = -900; k <= 0; k++) {
+            row[psi] = Math.atan2(Math.sin(0.3 * k / 60 + 5), Math.cos(0.3 * k / 60 + 5));
+            row[theta] = k < -300 ? 0.7 : -0.7;
+            chart.record(from + k / 60, row);
+          }
+          const drawn = [];
+          const { prototype } = CanvasRenderingContext2D;
+          const { moveTo, lineTo, beginPath } = prototype;
+          let last = null;
+          prototype.beginPath = function () { drawn.push({ longest: 0, parts: 0 }); beginPath.call(this); };
+          prototype.moveTo = function (x, y) { drawn.at(-1).parts++; last = y; moveTo.call(this, x, y); };
+          prototype.lineTo = function (x, y) {
+            drawn.at(-1).longest = Math.max(drawn.at(-1).longest, Math.abs(y - last));
+            last = y;
+            lineTo.call(this, x, y);
+          };
+          const series = chart.drawSeries;
+          const kept = [];
+          chart.drawSeries = (...all) => { series.apply(chart, all); kept.push(drawn.at(-1)); };
+          chart.draw({ series: ["red"] }, 1);
+          Object.assign(prototype, { moveTo, lineTo, beginPath });
+          delete chart.drawSeries;
+          return kept;
+        }"""
+    )
+    heading, pitch = lines
+    assert heading["parts"] == 2
+    assert heading["longest"] < 5.0
+    assert pitch["parts"] == 1
+    assert pitch["longest"] > 20.0
+
+
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_chosen_instruments_are_shown_and_remembered(browser: Any, cockpit: str, theme: str) -> None:
     from axe_playwright_python.sync_playwright import Axe

@@ -137,6 +137,22 @@ def test_a_flight_is_recorded_from_its_first_movement_and_ends_with_it(session: 
     assert recording["phi"][30] == 0.0
 
 
+def test_after_a_recording_was_stopped_and_a_reset_the_next_flight_is_recorded_too(session: Session) -> None:
+    session.put(stick(roll=0.5))
+    session.start_recording()
+    ticks(session, 5)
+    session.stop_recording()
+    assert not session.put(stick(roll=0.7))
+    session.reset()
+    ticks(session, 2)
+    assert not session.put(stick())
+    assert session.put(stick(roll=0.5))
+    session.start_recording()
+    session.reset()
+    ticks(session, 2)
+    assert not session.put(stick(roll=0.2))
+
+
 def test_recording_is_not_automatic_where_it_is_not_wanted(tmp_path: Path) -> None:
     session = Session("one", CRAFT, tmp_path, record=False)
     assert not session.put(stick(roll=0.5))

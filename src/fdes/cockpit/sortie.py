@@ -101,7 +101,11 @@ class Sortie:
         return 0.0 if self.recorder is None else self.recorder.frames * self.craft.clock.dt
 
     def reset(self) -> None:
-        """Be back in undisturbed flight with the next frame, the controls as they were at the start."""
+        """Be back in undisturbed flight with the next frame, the controls as they were at the start.
+
+        A recording under way goes on; else one begins again when a control is moved.
+        """
+        self.touched = self.recorder is not None
         self.given = self.given._replace(stick=self._rest)
         self.clear_inputs()
         self._fading = OVER

@@ -105,7 +105,7 @@ function drawLane(context, { name, unit, series }, { ink, x, right, top, bottom 
     let drawing = false;
     t.forEach((time, k) => {
       if (!Number.isFinite(y[k])) drawing = false;
-      else if (drawing) context.lineTo(x(time), at(y[k]));
+      else if (drawing && !(unit === "deg" && Math.abs(y[k] - y[k - 1]) > 180)) context.lineTo(x(time), at(y[k]));
       else {
         context.moveTo(x(time), at(y[k]));
         drawing = true;

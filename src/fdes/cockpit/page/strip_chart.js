@@ -15,6 +15,7 @@ const TITLE = 17; // px above each lane for its legend
 const FOOT = 20; // px below all lanes for the time axis
 const ROW = 20; // px between the lines of an axis, at least
 const LATE_START = 12; // s of flight before the chart stops explaining its empty part
+const HALF_TURN = Math.PI; // rad: no angle goes so far from row to row, but for one that begins a new turn
 
 export const DEFAULT_LANES = [
   ["theta", "alpha"],
@@ -259,17 +260,24 @@ export class StripChart {
     context.fillText(words, x, y);
   }
 
-  /** One polyline. Where several samples share a pixel column, their smallest and largest are joined. */
+  /**
+   * One polyline, broken where an angle begins a new turn. Where several samples share a pixel column, their smallest
+   * and largest are joined.
+   */
   drawSeries({ column, factor }, color, y, { left, from, first, end, perSecond, pixelRatio }) {
     const { context } = this;
     const wide = this.channels.length;
-    let [pixel, low, high, started] = [-1, 0, 0, false];
+    const angle = this.channels[column].unit === "rad";
+    let [pixel, low, high, started, last] = [-1, 0, 0, false, NaN];
     context.beginPath();
     for (let back = first; back < end; back++) {
       const row = this.row(back);
       const x = Math.round((left + (this.times[row] - from) * perSecond) * pixelRatio) / pixelRatio;
-      const at = y(this.values[row * wide + column] * factor);
-      if (x === pixel) {
+      const value = this.values[row * wide + column];
+      const at = y(value * factor);
+      const broken = angle && Math.abs(value - last) > HALF_TURN;
+      last = value;
+      if (x === pixel && !broken) {
         low = Math.min(low, at);
         high = Math.max(high, at);
         continue;
@@ -278,7 +286,7 @@ export class StripChart {
         context.lineTo(pixel, low);
         context.lineTo(pixel, high);
       }
-      if (started) context.lineTo(x, at);
+      if (started && !broken) context.lineTo(x, at);
       else context.moveTo(x, at);
       [pixel, low, high, started] = [x, at, at, true];
     }
