@@ -5,13 +5,15 @@ import { toBody } from "./camera.js";
 const NEAR = 12; // m ahead of the eye: what is closer is cut off
 const FINEST = 0.5; // px: a strip is never drawn thinner, or it would flicker
 
+/** Corners are kept in arrays that are used again and again: thousands in each picture would be garbage otherwise. */
 export class Projector {
   constructor(context, cam) {
     this.context = context;
     this.cam = cam;
-    this.together = null;
     this.spread = Math.hypot(cam.width / 2, cam.height - cam.cy) / cam.f;
     this.slant = Math.hypot(1, this.spread);
+    this.together = null; // the path of what is filled together
+    [this.xs, this.ys, this.zs, this.count, this.ahead] = [[], [], [], 0, true];
   }
 
   /** Body coordinates of a place on the ground, or `up` meters above it. */
@@ -31,33 +33,51 @@ export class Projector {
     return [cx + (f * y) / x, cy + (f * z) / x];
   }
 
+  /** The next corner of the polygon that `close` draws. */
+  corner(north, east, up = 0) {
+    const { cam, count } = this;
+    const { axes } = cam;
+    const [n, e, d] = [north - cam.north, east - cam.east, cam.eye - up];
+    const x = axes[0] * n + axes[1] * e + axes[2] * d;
+    this.xs[count] = x;
+    this.ys[count] = axes[3] * n + axes[4] * e + axes[5] * d;
+    this.zs[count] = axes[6] * n + axes[7] * e + axes[8] * d;
+    if (x < NEAR) this.ahead = false;
+    this.count = count + 1;
+  }
+
+  /** Draws the polygon whose corners were given, filled with `color`, or together with others. */
+  close(color) {
+    const { context, together, xs, ys, zs, count, ahead } = this;
+    [this.count, this.ahead] = [0, true];
+    const path = together ?? context;
+    if (!together) context.beginPath();
+    if (ahead) {
+      const { cx, cy, f } = this.cam;
+      path.moveTo(cx + (f * ys[0]) / xs[0], cy + (f * zs[0]) / xs[0]);
+      for (let i = 1; i < count; i++) path.lineTo(cx + (f * ys[i]) / xs[i], cy + (f * zs[i]) / xs[i]);
+    } else {
+      const corners = Array.from({ length: count }, (_, i) => [xs[i], ys[i], zs[i]]);
+      clip(corners, true).forEach((corner, i) => path[i ? "lineTo" : "moveTo"](...this.toScreen(corner)));
+    }
+    if (together) return;
+    context.fillStyle = color;
+    context.fill();
+  }
+
   /** A flat rectangle on the ground. */
   rectangle(south, north, west, east, color) {
-    this.polygon(
-      [
-        [south, west],
-        [north, west],
-        [north, east],
-        [south, east],
-      ],
-      color,
-    );
+    this.corner(south, west);
+    this.corner(north, west);
+    this.corner(north, east);
+    this.corner(south, east);
+    this.close(color);
   }
 
-  /** A filled polygon of ground points [north, east]. */
+  /** A filled polygon of points [north, east], or [north, east, up]. */
   polygon(points, color) {
-    this.fill(
-      points.map(([n, e]) => this.place(n, e)),
-      color,
-    );
-  }
-
-  /** A filled polygon of points [north, east, up]. */
-  solid(points, color) {
-    this.fill(
-      points.map(([n, e, up]) => this.place(n, e, up)),
-      color,
-    );
+    for (const point of points) this.corner(point[0], point[1], point[2]);
+    this.close(color);
   }
 
   /** The ground between two lines of points, drawn link by link: a long curved band is no convex polygon. */
@@ -77,12 +97,11 @@ export class Projector {
         const along = [n1 - n0, e1 - e0];
         const half = width / 2 / Math.hypot(...along);
         const [dn, de] = [-along[1] * half, along[0] * half];
-        this.polygon([
-          [n0 + dn, e0 + de],
-          [n1 + dn, e1 + de],
-          [n1 - dn, e1 - de],
-          [n0 - dn, e0 - de],
-        ]);
+        this.corner(n0 + dn, e0 + de);
+        this.corner(n1 + dn, e1 + de);
+        this.corner(n1 - dn, e1 - de);
+        this.corner(n0 - dn, e0 - de);
+        this.close();
       }
     });
     const { context } = this;
@@ -99,16 +118,6 @@ export class Projector {
     const size = Math.min(3, Math.max(1.1, (this.cam.f * 0.8) / point[0]));
     this.context.fillStyle = color;
     this.context.fillRect(x - size / 2, y - size / 2, size, size);
-  }
-
-  fill(corners, color) {
-    const path = this.together ?? new Path2D();
-    const visible = clip(corners, true);
-    if (visible.length < 3) return;
-    visible.forEach((corner, i) => path[i ? "lineTo" : "moveTo"](...this.toScreen(corner)));
-    if (this.together) return;
-    this.context.fillStyle = color;
-    this.context.fill(path);
   }
 
   /** What `draw` draws is of one `color`, and is filled together: a fill for each would cost too much. */

@@ -31,6 +31,8 @@ import { css, mix, onHorizon } from "./paint.js";
 import { clamp } from "./units.js";
 
 const FIELDS_AHEAD = { low: 13, high: 26 }; // cells of farmland to each side
+const FADES = 64; // steps from clear to full
+const HAZES = 24; // steps from near to far
 const TREES_WITHIN = 9000; // m
 const SMALLEST = 0.8; // px: what is lower is not worth a fill
 const FACE_LIGHT = { roof: 1.06, south: 0.82, north: 0.62, east: 0.94, west: 0.7 };
@@ -116,7 +118,7 @@ function fieldsOfSize({ cam, look, lens }, ahead, size, salt, strength) {
       if (lens.outside(n + size / 2, e + size / 2, 0.75 * size)) continue;
       const split = fieldSplit(hash(i, j, 1 + salt * 7));
       const alpha = strength * Math.min(1, 2 * fade);
-      const color = (half) => css(look.crops[crop(i, j, half, look.crops.length)], look.light, alpha);
+      const color = (half) => cropColor(look, crop(i, j, half, look.crops.length), alpha);
       const middle = 0.3 + 0.4 * hash(i, j, 5);
       if (split === "whole") lens.rectangle(n, n + size, e, e + size, color(0));
       else if (split === "north") {
@@ -128,6 +130,15 @@ function fieldsOfSize({ cam, look, lens }, ahead, size, salt, strength) {
       }
     }
   }
+}
+
+const cropColors = new Map();
+
+/** The color of a crop, remembered: to make its text anew for every field costs as much as to draw it. */
+function cropColor(look, number, alpha) {
+  if (!cropColors.has(look)) cropColors.set(look, look.crops.map(() => []));
+  const step = Math.round(alpha * FADES);
+  return (cropColors.get(look)[number][step] ??= css(look.crops[number], look.light, step / FADES));
 }
 
 /** Lakes, the river, and the dark ground of woods. */
@@ -246,40 +257,42 @@ function addTree(shades, { north, east, height, shade }, cam, lens) {
   );
 }
 
-function drawBox({ north, east, deep, wide, height, wall, roof }, distance, look, cam, lens) {
+function drawBox(box, distance, look, cam, lens) {
+  const { north, east, deep, wide, height } = box;
   if (distance > 30000 || (height * cam.f) / Math.max(distance, 1) < SMALLEST) return;
   const [n0, n1, e0, e1] = [north - deep / 2, north + deep / 2, east - wide / 2, east + wide / 2];
-  const hazy = clamp(distance / 26000, 0, 0.7);
-  const color = (base, face) =>
-    css(
-      mix(
-        base.map((c, i) => c * FACE_LIGHT[face] * look.light[i]),
-        look.haze,
-        hazy,
-      ),
-    );
-  const upright = (a, b, face) =>
-    lens.solid(
-      [
-        [...a, 0],
-        [...b, 0],
-        [...b, height],
-        [...a, height],
-      ],
-      color(wall, face),
-    );
-  if (cam.north < n0) upright([n0, e0], [n0, e1], "south");
-  else if (cam.north > n1) upright([n1, e0], [n1, e1], "north");
-  if (cam.east < e0) upright([n0, e0], [n1, e0], "west");
-  else if (cam.east > e1) upright([n0, e1], [n1, e1], "east");
-  if (cam.eye > height)
-    lens.solid(
-      [
-        [n0, e0, height],
-        [n1, e0, height],
-        [n1, e1, height],
-        [n0, e1, height],
-      ],
-      color(roof, "roof"),
-    );
+  const haze = Math.round(clamp(distance / 26000, 0, 0.7) * HAZES);
+  const upright = (na, ea, nb, eb, face) => {
+    lens.corner(na, ea);
+    lens.corner(nb, eb);
+    lens.corner(nb, eb, height);
+    lens.corner(na, ea, height);
+    lens.close(tint(box, face, look, haze));
+  };
+  if (cam.north < n0) upright(n0, e0, n0, e1, "south");
+  else if (cam.north > n1) upright(n1, e0, n1, e1, "north");
+  if (cam.east < e0) upright(n0, e0, n1, e0, "west");
+  else if (cam.east > e1) upright(n0, e1, n1, e1, "east");
+  if (cam.eye <= height) return;
+  lens.corner(n0, e0, height);
+  lens.corner(n1, e0, height);
+  lens.corner(n1, e1, height);
+  lens.corner(n0, e1, height);
+  lens.close(tint(box, "roof", look, haze));
+}
+
+const tints = new WeakMap();
+
+/** The color of a building's face so far off, remembered for as long as look and haze stay. */
+function tint(box, face, look, haze) {
+  let known = tints.get(box);
+  if (known?.look !== look || known.haze !== haze) tints.set(box, (known = { look, haze }));
+  const base = face === "roof" ? box.roof : box.wall;
+  return (known[face] ??= css(
+    mix(
+      base.map((c, i) => c * FACE_LIGHT[face] * look.light[i]),
+      look.haze,
+      haze / HAZES,
+    ),
+  ));
 }
