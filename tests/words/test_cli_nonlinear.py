@@ -61,3 +61,17 @@ def test_names_of_a_scenario_are_not_silently_left_out() -> None:
     done = run(app, ["simulate", "F-16", "--plant", "nonlinear", "--names", "s119", "--duration", "1"])
     assert done.exit_code == 2
     assert "--names s119 is for a scenario, which says where on Earth it flies: give a --scenario." in done.stderr
+
+
+def test_spool_where_it_means_nothing() -> None:
+    own = CliRunner().invoke(app, ["simulate", "F-16", "--plant", "nonlinear", "--spool"])
+    assert own.exit_code == 2
+    assert (
+        "The engine of the F-16 follows its throttle with a lag of its own, which always acts. Leave --spool out."
+        in " ".join(own.output.split())
+    )
+    linear = CliRunner().invoke(app, ["simulate", "A-4D", "--spool"])
+    assert linear.exit_code == 2
+    assert "The thrust of the linear plant follows at once: give --spool with --plant nonlinear." in " ".join(
+        linear.output.split()
+    )

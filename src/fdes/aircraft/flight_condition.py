@@ -65,6 +65,7 @@ class FlightCondition:
         the file has none.
     configuration: of flaps and gear, by the file's word for it; None where that does not say.
     across: other conditions, which the nonlinear plant is interpolated with in Mach (`fdes.aircraft.across`).
+    spool: the nonlinear plant's engine follows the throttle with the lag that is assumed.
     changes: what was changed since (`fdes.aircraft.edit`); provenance and document are those of the unchanged aircraft.
     """
 
@@ -86,6 +87,7 @@ class FlightCondition:
     turbofan: TurbofanTables | None = field(default=None, repr=False)
     configuration: str | None = None
     across: "tuple[FlightCondition, ...]" = field(default=(), repr=False)
+    spool: bool = False
     changes: "tuple[Change, ...]" = ()
 
     @property

@@ -18,7 +18,7 @@ from fdes.aircraft.explain import explain
 from fdes.aircraft.flight_condition import FlightCondition, flight_condition
 from fdes.aircraft.number import CONFIDENCES, VARIANTS, Confidence, Variant
 from fdes.aircraft.schema import AircraftFile, Derivatives
-from fdes.errors import AircraftFileError, FdesError, NoSuchPart, nearest
+from fdes.errors import AircraftFileError, FdesError, NoSuchPart, SpecError, nearest
 
 HANGAR = files("fdes.aircraft") / "hangar"
 PAPER = ("A-4D", "F-104A", "NAVION", "Convair880", "B747", "JetStar")  # in the order of Mansor and Perumal's list
@@ -58,14 +58,20 @@ class Aircraft:
     _ready: Mapping[tuple[str, Variant], FlightCondition] = field(repr=False)
 
     def at(
-        self, condition: str | None = None, variant: str = "corrected", *, across: str | None = None
+        self,
+        condition: str | None = None,
+        variant: str = "corrected",
+        *,
+        across: str | None = None,
+        spool: bool = False,
     ) -> FlightCondition:
         """The aircraft in one of its conditions, the first when none is named.
 
         `variant` is ``corrected``, or ``printed``: the numbers as the source prints them, misprints too.
         across: ``mach``, for a nonlinear plant between this condition and the others of its configuration.
+        spool: with an engine that follows the throttle with the lag that is assumed, in the nonlinear plant.
         Raises NoSuchPart for a condition or a variant that the aircraft does not have, SpecError where it has no
-        conditions that can be interpolated.
+        conditions that can be interpolated, or an engine with a lag of its own.
         """
         known = {fold(c.id): c.id for c in self.conditions}
         chosen = self.conditions[0].id if condition is None else known.get(fold(condition))
@@ -74,10 +80,20 @@ class Aircraft:
         for each in VARIANTS:
             if each == variant:
                 ready = self._ready[chosen, each]
-                if across is None:
-                    return ready
-                return interpolated(ready, [self._ready[c.id, each] for c in self.conditions], across)
+                if across is not None:
+                    ready = interpolated(ready, [self._ready[c.id, each] for c in self.conditions], across)
+                return spooling(ready) if spool else ready
         raise NoSuchPart("variant", variant, VARIANTS)
+
+
+def spooling(ready: FlightCondition) -> FlightCondition:
+    """`ready` with the assumed lag of its engine. Raises SpecError where that has one of its own."""
+    if ready.turbofan:
+        raise SpecError(
+            f"The engine of the {ready.aircraft_id} follows its throttle with a lag of its own, which always acts. "
+            "Leave --spool out."
+        )
+    return replace(ready, spool=True)
 
 
 def load(name_or_path: str | Path) -> Aircraft:

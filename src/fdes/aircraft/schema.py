@@ -27,6 +27,7 @@ from fdes.aircraft.number import (
     Derivative,
     Gravity,
     Inertia,
+    Lag,
     Length,
     Mass,
     Number,
@@ -130,7 +131,8 @@ class Derivatives(Part):
 class Assumed(Part):
     """What no source gives. Surface travel is counted from trim; a condition's own value goes before the file's.
 
-    The drag is assumed only beside dimensional derivatives, which do not say it. Actuators need not be mentioned.
+    The drag is assumed only beside dimensional derivatives, which do not say it. Actuators and engine lag need not be
+    mentioned.
     """
 
     max_thrust: Thrust | None = None
@@ -144,12 +146,25 @@ class Assumed(Part):
     full_pedal_rudder: Travel | None = None
     actuator_bandwidth: AngularRate | None = None
     surface_rate_limit: AngularRate | None = None
+    engine_lag: Lag | None = None
 
 
 _LIKE_THE_F16 = "of the size of the F-16's, in Stevens, Lewis and Johnson, Aircraft Control and Simulation"
 UNLESS_SAID = {
     "actuator_bandwidth": Assumption(value=20.0, unit="rad/s", reason=_LIKE_THE_F16),
     "surface_rate_limit": Assumption(value=60.0, unit="deg/s", reason=_LIKE_THE_F16),
+}
+
+
+ENGINE_LAG = {
+    "jet": Assumption(
+        value=1.8, unit="s", reason="14 CFR 33.73 gives turbines 5 s from 15 to 95 % of thrust, which is 5 s / ln 17"
+    ),
+    "propeller": Assumption(
+        value=1.2,
+        unit="s",
+        reason="idle to full power in 3 to 4 s, three lags: Airplane Flying Handbook, FAA-H-8083-3A, chapter 15",
+    ),
 }
 
 
@@ -293,6 +308,7 @@ class AircraftFile(Part):
             if getattr(part, name, None) is None:
                 raise ValueError(f"{block}.{name} is missing, and condition {condition.id!r} needs it")
         assumed = set(Assumed.model_fields) - ({"drag"} if condition.derivatives else set())
+        assumed -= {"engine_lag"} if self.turbofan else set()
         for name in Assumed.model_fields:
             if name in assumed and self.assumption(name, condition) is None:
                 raise ValueError(f"[assumed] lacks {name!r}, and condition {condition.id!r} does not give its own")
@@ -311,6 +327,8 @@ class AircraftFile(Part):
         """What is assumed for `condition` under that name: its own, else the file's, else what is assumed of all."""
         own: Assumption | None = getattr(condition.assumed, name)
         general: Assumption | None = getattr(self.assumed, name)
+        if name == "engine_lag" and not self.turbofan:
+            return own or general or ENGINE_LAG[self.engine]
         return own or general or UNLESS_SAID.get(name)
 
 

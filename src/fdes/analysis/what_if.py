@@ -18,6 +18,7 @@ from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
 from fdes.flight.actuated import with_actuators
 from fdes.flight.crossing import as_far
+from fdes.flight.header import condition_in
 from fdes.flight.recorder import columns_of
 from fdes.flight.reflight import Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
@@ -100,8 +101,7 @@ def condition_of(header: Mapping[str, Any]) -> FlightCondition:
     if lacking:
         raise RecordingError(f"The recording does not say what was flown: its header lacks {', '.join(lacking)}.")
     aircraft = parse(header["document"], "The aircraft in the recording")
-    flown = aircraft.at(header["condition"], header["variant"], across=header.get("across"))
-    return edited(flown, header.get("changes", ()))
+    return edited(condition_in(aircraft, header), header.get("changes", ()))
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class _Other:
             "condition": flown.condition,
             "variant": flown.variant,
             "document": flown.document,
-            **({"across": None} if name and recorded.get("across") else {}),  # its own conditions, no others'
+            **(dict.fromkeys({"across", "spool"} & recorded.keys()) if name else {}),  # not every aircraft can be so
         }
 
     def setup(self, recorded: Mapping[str, Any]) -> Setup:

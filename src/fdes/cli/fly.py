@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from fdes.cli.options import FLAG, AircraftName, ConditionName, FormName, IntegratorName, VariantName
+from fdes.cli.options import FLAG, Across, AircraftName, ConditionName, FormName, IntegratorName, Spool, VariantName
 from fdes.errors import SpecError
 
 
@@ -18,6 +18,8 @@ def fly(
     plant: Annotated[
         str, typer.Option(metavar="linear|nonlinear", help="Small perturbations, or six degrees of freedom.")
     ] = "linear",
+    across: Across = None,
+    spool: Spool = False,
     host: Annotated[str, typer.Option(metavar="ADDRESS", help="Where to listen; 0.0.0.0 lets the network in.")] = (
         "127.0.0.1"
     ),
@@ -60,6 +62,8 @@ def fly(
             form=form,
             integrator=integrator,
             plant=plant,
+            across=across,
+            spool=spool,
             record=record,
         )
 

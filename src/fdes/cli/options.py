@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from fdes.analysis.designed import Designed
     from fdes.physics.derivatives import Form
 
+FLAG = ""  # a switch takes no value; Typer would show one
+
 AircraftName = Annotated[
     str, typer.Argument(metavar="AIRCRAFT", help="A name, as `fdes aircraft` lists them, or the path of a TOML file.")
 ]
@@ -44,7 +46,10 @@ Across = Annotated[
     str | None,
     typer.Option("--across", metavar="mach", help="Interpolate the nonlinear plant between the aircraft's conditions."),
 ]
-FLAG = ""  # a switch takes no value; Typer would show one
+Spool = Annotated[
+    bool,
+    typer.Option("--spool", metavar=FLAG, help="Let the nonlinear plant's engine follow the throttle with its lag."),
+]
 LawText = Annotated[
     str | None,
     typer.Option(
@@ -66,12 +71,18 @@ AsJson = Annotated[bool, typer.Option("--json", metavar=FLAG, help="Print JSON, 
 
 
 def chosen(
-    aircraft: str, condition: str | None, variant: str, changes: list[str] | None, across: str | None = None
+    aircraft: str,
+    condition: str | None,
+    variant: str,
+    changes: list[str] | None,
+    across: str | None = None,
+    *,
+    spool: bool = False,
 ) -> "FlightCondition":
-    """The aircraft in its flight condition, with what `--set` changes, interpolated `--across`. Raises FdesError."""
+    """The aircraft in its flight condition, with what `--set` changes, `--across` and `--spool`. Raises FdesError."""
     from fdes.aircraft import edited, load
 
-    return edited(load(aircraft).at(condition, variant, across=across), changes or ())
+    return edited(load(aircraft).at(condition, variant, across=across, spool=spool), changes or ())
 
 
 def designed_law(

@@ -20,6 +20,7 @@ from fdes.cli.options import (
     LawText,
     OnActuators,
     PlotFile,
+    Spool,
     VariantName,
     chosen,
     designed_law,
@@ -106,6 +107,7 @@ def simulate(
         ),
     ] = None,
     across: Across = None,
+    spool: Spool = False,
     names: Annotated[
         str, typer.Option(metavar="fdes|s119", help="Of a scenario's columns: ours, or those of NASA's check cases.")
     ] = "fdes",
@@ -117,7 +119,7 @@ def simulate(
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     if scenario is not None:
-        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim, across)):
+        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim, across, spool)):
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
@@ -125,7 +127,7 @@ def simulate(
     target, picture = _target(out), target_of(plot)
     if target is not None and target.suffix.lower() != ".csv" and units != "si":
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
-    ready = chosen(aircraft, condition, variant, changes, across)
+    ready = chosen(aircraft, condition, variant, changes, across, spool=spool)
     clock = _clock(dt, substeps, duration)
     closed = {} if law is None else _law(law, ready, form, dt, quiet=out == STDOUT)
     given = {"integrator": integrator, "initial": initial or (), "limits": limits, **closed}
@@ -133,6 +135,7 @@ def simulate(
     if plant == "linear":
         _no_trim(trim)
         _not_across(across)
+        _no_spool(spool)
         response = fly_it(ready, inputs or (), clock=clock, form=form, height=start, actuators=actuators, **given)
     else:
         _no_actuators(actuators)
@@ -175,6 +178,11 @@ def _no_trim(trim: str | None) -> None:
 def _not_across(across: str | None) -> None:
     if across is not None:
         raise SpecError("The linear plant is that of its flight condition: give --across with --plant nonlinear.")
+
+
+def _no_spool(spool: bool) -> None:
+    if spool:
+        raise SpecError("The thrust of the linear plant follows at once: give --spool with --plant nonlinear.")
 
 
 def _no_actuators(actuators: bool) -> None:

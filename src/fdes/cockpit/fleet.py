@@ -13,17 +13,29 @@ from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.flight_control import NONE, Control
 from fdes.errors import FdesError, NoSuchPart
+from fdes.flight.header import condition_in
 
 
 class Fleet:
     """What can be flown; a session starts with `first`."""
 
     def __init__(
-        self, own: Aircraft, condition: str | None, variant: str, form: str, integrator: str, plant: str = LINEAR
+        self,
+        own: Aircraft,
+        condition: str | None,
+        variant: str,
+        form: str,
+        integrator: str,
+        plant: str = LINEAR,
+        **more: Any,
     ) -> None:
-        """Raises NoSuchPart for a condition, variant, form, integrator or plant that does not exist."""
+        """`more` is what else `Aircraft.at` takes, for the first.
+
+        Raises NoSuchPart for a condition, variant, form, integrator or plant that does not exist, SpecError for what
+        `Aircraft.at` refuses.
+        """
         self._own = own
-        self.first = make_craft(own.at(condition, variant), form, integrator, plant=plant)
+        self.first = make_craft(own.at(condition, variant, **more), form, integrator, plant=plant)
 
     @cached_property
     def aircraft(self) -> dict[str, Aircraft]:
@@ -64,8 +76,7 @@ def craft_of(name: str, header: dict[str, Any]) -> Craft | None:
     None when the header has no such copy, or one that this FDES cannot use.
     """
     try:
-        aircraft = parse(header["document"], name)
-        flown = aircraft.at(header["condition"], header["variant"], across=header.get("across"))
+        flown = condition_in(parse(header["document"], name), header)
         control = Control(header.get("law", NONE), header.get("actuators", False))
         changes, plant = header.get("changes", ()), header.get("plant", LINEAR)
         form, integrator, dt = header["form"], header["integrator"], header["dt"]

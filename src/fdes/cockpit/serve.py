@@ -47,6 +47,8 @@ def serve(
     form: str = "full",
     integrator: str = "rk4",
     plant: str = "linear",
+    across: str | None = None,
+    spool: bool = False,
     record: bool = True,
 ) -> None:
     """Serve the cockpit until SIGINT or SIGTERM, then return.
@@ -55,7 +57,7 @@ def serve(
     movement of its stick. The address is printed when it can be used: a sentence or, with `json_line`, a line of JSON.
     Raises FdesError for what cannot be flown, a folder that cannot be written, or an address that cannot be had.
     """
-    fleet = Fleet(load(aircraft), condition, variant, form, integrator, plant)
+    fleet = Fleet(load(aircraft), condition, variant, form, integrator, plant, across=across, spool=spool)
     cabins = Cabins(fleet, recordings_folder(data), record=record)
     with listening(host, port) as listener:
         url = url_of(listener)

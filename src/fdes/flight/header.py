@@ -1,10 +1,17 @@
 """What a recording says first: all that it takes to make what flew once more."""
 
+from collections.abc import Mapping
 from typing import Any
 
-from fdes.aircraft import FlightCondition
+from fdes.aircraft import Aircraft, FlightCondition
 from fdes.aircraft.across import MACH
 from fdes.flight.simulation import Clock
+
+
+def condition_in(aircraft: Aircraft, header: Mapping[str, Any]) -> FlightCondition:
+    """The condition of `aircraft` that a header says, without its changes. Raises FdesError, KeyError."""
+    across, spool = header.get("across"), header.get("spool", False)
+    return aircraft.at(header["condition"], header["variant"], across=across, spool=spool)
 
 
 def header_of(
@@ -20,6 +27,7 @@ def header_of(
         "variant": condition.variant,
         "changes": [str(change) for change in condition.changes],
         **({"across": MACH} if condition.across else {}),
+        **({"spool": True} if condition.spool else {}),
         "form": form,
         "integrator": integrator,
         "dt": clock.dt,

@@ -15,13 +15,13 @@ from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients
 from fdes.physics.earth import FLAT
 from fdes.physics.plant import SixDof, state_at
-from fdes.physics.propulsion import JET_LAPSE, Engine, assumed_engine
+from fdes.physics.propulsion import JET_LAPSE, Engine, Spooling, assumed_engine, settled_power, spooling
 from fdes.physics.rigid_body import Inertia
 from fdes.physics.signals import Surfaces
 from fdes.physics.terms import term_loads
 from fdes.physics.turbofan import commanded_power, turbofan
 from fdes.shelf import shelf
-from fdes.units import DEG
+from fdes.units import DEG, to_si
 
 
 def six_dof_of(condition: FlightCondition, integrator: str = "rk4") -> SixDof:
@@ -49,7 +49,17 @@ def six_dof_of(condition: FlightCondition, integrator: str = "rk4") -> SixDof:
         engine=assumed_engine(ref.T_max, ref.V, air.rho, -ref.alpha, propeller=_has_propeller(condition)),
         rest=Surfaces(throttle=condition.trim_throttle),
     )
+    if condition.spool:
+        plant = plant._replace(
+            engine=Spooling(plant.engine, _lag(condition)), propulsion=spooling, settled=settled_power
+        )
     return _across(condition, plant) if condition.across else plant
+
+
+def _lag(condition: FlightCondition) -> float:
+    """The assumed lag of the engine [s]."""
+    said = condition.assumed["engine_lag"]
+    return to_si(said["value"], said["unit"])
 
 
 def _aero(condition: FlightCondition, alpha: float) -> DerivativeAero:
@@ -127,6 +137,8 @@ def assumptions(condition: FlightCondition, plant: SixDof) -> list[str]:
         else f"as the density to the power of {JET_LAPSE}, and not with speed, as of a jet"
     )
     thrust = f"Assumed: thrust changes {engine}. It acts along the flight path of the condition."
+    if condition.spool:
+        thrust += f" It follows the throttle with a lag of {_lag(condition):g} s."
     if condition.across:
         return [*_across_sentences(condition, plant.aero), thrust]
     aero: DerivativeAero = plant.aero

@@ -49,6 +49,27 @@ def at_once(engine: Engine, flow: Flow, h: Meter, throttle: Number, power: Numbe
     return thrust(engine, flow, throttle)
 
 
+class Spooling(NamedTuple):
+    """An engine whose power follows the throttle as a first-order lag with the time constant `lag`."""
+
+    engine: Engine
+    lag: Annotated[float, "s"]
+
+
+def spooling(engine: Spooling, flow: Flow, h: Meter, throttle: Number, power: Number) -> Thrust:
+    """The thrust at that power, and how the power follows the throttle.
+
+    B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simulation, 3rd ed., appendix A, PDOT.
+    """
+    push = thrust(engine.engine, flow, power / 100.0)
+    return Thrust(push.X, push.Z, (settled_power(engine, throttle) - power) / engine.lag)
+
+
+def settled_power(engine: Spooling, throttle: Number) -> Number:
+    """The power at which it has settled."""
+    return 100.0 * throttle
+
+
 def no_power(engine: Engine, throttle: Number) -> Number:
     """The power at which an engine without a lag has settled: it has none."""
     return 0.0
