@@ -33,8 +33,10 @@ def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
     Outputs are those of `Outputs` with their names, rates and load factors along body axes. Raises SpecError where the
     flight turns or sideslips, for then longitudinal and lateral motion are one.
     """
-    if point.spec.turn or point.spec.beta:
-        raise SpecError("Only straight flight without sideslip is linearized: leave turn and beta out of the trim.")
+    if point.spec.turn or point.spec.beta or point.spec.q:
+        raise SpecError(
+            "Only straight flight without sideslip is linearized: leave turns, pull-ups and sideslip out of the trim."
+        )
     plant = point.plant._replace(limits=FREE)
     if thrust_held:
         plant = plant._replace(engine=engine_held(point), propulsion=at_once, settled=no_power)
@@ -53,7 +55,7 @@ def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
         inputs=INPUTS,
         outputs=OUTPUTS,
         units={name: unit[name] for name in (*STATES, *INPUTS, *OUTPUTS)},
-        point={**point.spec._asdict(), "alpha": point.alpha, "theta": point.theta, **point.surfaces._asdict()},
+        point={**point.spec.flight(), "alpha": point.alpha, "theta": point.theta, **point.surfaces._asdict()},
     )
 
 

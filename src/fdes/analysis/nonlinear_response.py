@@ -51,16 +51,16 @@ def simulate_nonlinear(
     point = trim(plant, asked)
     flown = point.plant if limits else point.plant._replace(limits=NO_LIMITS)
     by = disturbed(PerturbationState(), initial)
-    if initial and (asked.turn or asked.beta):
+    if initial and (point.spec.turn or point.spec.beta or point.spec.q):
         raise SpecError("A flight that turns or sideslips takes no initial perturbation: leave one of the two out.")
     excitation = Excitation.parse(inputs, files=True)
     setup = Setup(flown, law or Direct(condition.full_stick))
-    pilot, weather = HandsOff(point.surfaces.throttle), GustyAir(excitation.gusts, asked.V)
+    pilot, weather = HandsOff(point.surfaces.throttle), GustyAir(excitation.gusts, point.spec.V)
     start = perturbed(point, by) if initial else flown.start()
     frames = fly(start, setup, pilot, weather, clock, excitation)
     header = header_of(
         condition, "nonlinear", integrator, clock, said, inputs=inputs, initial=initial, limits=limits,
-        trim=asked._asdict(), assumptions=assumptions(condition, plant),
+        trim=point.spec.flight(), assumptions=assumptions(condition, plant),
     )  # fmt: skip
     header = {"fdes": __version__, "engine": "frame by frame, Python", **header}
     flight = frames_to_recording(header, columns_of(State), map(row_of, frames))
