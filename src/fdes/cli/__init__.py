@@ -20,6 +20,7 @@ from fdes.cli.linearize import linearize
 from fdes.cli.modes import modes
 from fdes.cli.options import FLAG
 from fdes.cli.output import complain, use_any_encoding
+from fdes.cli.performance import performance
 from fdes.cli.qualities import qualities
 from fdes.cli.settings import NOT_A_SETTING, read_settings, settings, settings_file
 from fdes.cli.shelves import shelves
@@ -72,6 +73,7 @@ app.command(
 )(simulate)
 app.command(epilog='Example: fdes whatif flight.fdes --try "Cm_q*=0.5" --plot whatif.html')(whatif)
 app.command(epilog="Example: fdes trim NAVION 'V=90 kt h=5000 ft turn=3 deg/s'")(trim)
+app.command(epilog="Example: fdes performance NAVION --height '5000 ft'")(performance)
 app.command(epilog="Example: fdes linearize A-4D 'mach=0.5 h=10000 ft'")(linearize)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)

@@ -1,0 +1,117 @@
+"""`fdes performance`: range of speeds, climb and ceiling of an aircraft, from steady flights of the nonlinear plant."""
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
+from fdes.cli.output import note, number, print_json, screen, table, working
+from fdes.units import DEG, FOOT, KNOT, parse
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from fdes.analysis.performance import Figure, Performance
+
+# What engineers read a figure in, beside SI: by its unit there. A speed up is in ft/min.
+SHOWN = {
+    "m/s": (("m/s", 1.0), ("kt", 1.0 / KNOT)),
+    "m": (("m", 1.0), ("ft", 1.0 / FOOT)),
+    "rad": (("deg", 1.0 / DEG), None),
+    "1": (("", 1.0), None),
+}
+UPWARD = (("m/s", 1.0), ("ft/min", 60.0 / FOOT))
+
+
+def performance(
+    aircraft: AircraftName,
+    condition: ConditionName = None,
+    variant: VariantName = "corrected",
+    changes: Changes = None,
+    height: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="Of level flight and turns, such as '20000 ft'; the condition's.")
+    ] = None,
+    throttle: Annotated[
+        float, typer.Option(metavar="NUMBER", help="What counts as full, such as 0.77 for no burner.")
+    ] = 1.0,
+    mach_min: Annotated[float | None, typer.Option(metavar="NUMBER", help="Look from this Mach number on.")] = None,
+    mach_max: Annotated[float | None, typer.Option(metavar="NUMBER", help="Look up to this Mach number.")] = None,
+    alpha_max: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="No larger angle of attack, such as '25 deg'.")
+    ] = None,
+    json: AsJson = False,
+) -> None:
+    """Performance in steady flight: range of speeds, climb and ceiling, of the nonlinear plant.
+
+    Every end names what limits it, and every assumption is said. Of fuel nothing is known, so of range and endurance
+    nothing is said but the speeds of least drag and least power.
+    """
+    from fdes.analysis.level_flight import STEEPEST
+    from fdes.analysis.performance import Wanted
+    from fdes.analysis.performance import performance as found_by
+
+    ready = chosen(aircraft, condition, variant, changes)
+    wanted = Wanted(
+        h=None if height is None else parse(height, "m"),
+        full=throttle,
+        slowest=mach_min,
+        fastest=mach_max,
+        alpha_max=STEEPEST if alpha_max is None else parse(alpha_max, "rad"),
+    )
+    with working("Flying it at many speeds and heights"):
+        found = found_by(ready, wanted)
+    if json:
+        print_json(_as_json(found))
+        return
+    _show(found)
+    for sentence in found.notes:
+        note(sentence)
+
+
+def _show(found: "Performance") -> None:
+    ready = found.condition
+    changes = "".join(f", {change}" for change in ready.changes)
+    title = f"{ready.aircraft_name}, {ready.condition}{changes}: performance at {found.h:,.0f} m"
+    screen().print(f"{title} ({found.h / FOOT:,.0f} ft)", style="bold", soft_wrap=True)
+    for subject, figures in found.figures.items():
+        rows = table(subject, "SI", "", "other", "")
+        for figure in figures:
+            rows.add_row(figure.name, *_cells(figure))
+        screen().print(rows)
+        for figure in figures:
+            if figure.limit:
+                screen().print(f"{figure.name}: {figure.limit}.", soft_wrap=True)
+
+
+def _cells(figure: "Figure") -> tuple[str, ...]:
+    upward = figure.unit == "m/s" and ("rate" in figure.name or "excess" in figure.name)
+    one, other = UPWARD if upward else SHOWN[figure.unit]
+    cells = (number(figure.value * one[1]), one[0])
+    return cells if other is None else (*cells, number(figure.value * other[1]), other[0])
+
+
+def _as_json(found: "Performance") -> dict[str, Any]:
+    ready = found.condition
+    return {
+        "aircraft": ready.aircraft_id,
+        "condition": ready.condition,
+        "variant": ready.variant,
+        "changes": [str(change) for change in ready.changes],
+        "units": "SI",
+        "h": found.h,
+        "figures": {subject: [figure._asdict() for figure in figures] for subject, figures in found.figures.items()},
+        "level": _columns(found.level),
+        "heights": _columns(found.heights),
+        "notes": list(found.notes),
+    }
+
+
+def _columns(data: "xr.Dataset") -> dict[str, Any]:
+    """Its columns with their units, what is not a number as null."""
+    return {
+        str(name): {
+            "unit": column.attrs["units"],
+            "values": [None if value != value else value for value in column.values.tolist()],  # noqa: PLR0124  a NaN
+        }
+        for name, column in data.variables.items()
+    }
