@@ -101,33 +101,64 @@ def limited(command: Surfaces, limits: Limits) -> Surfaces:
 
 
 def derivative(plant: SmallPerturbation, x: PerturbationState, held: Surfaces, air: Air) -> PerturbationState:
-    """Equations 2.1 and 2.2 in whichever form, then the kinematics. A gust changes what the aerodynamics feels."""
+    """Equations 2.1 and 2.2 in whichever form, then the kinematics."""
+    return PerturbationState(*_slope(plant, x, _forcing(plant, held, air), air))
+
+
+def _forcing(plant: SmallPerturbation, held: Surfaces, air: Air) -> Vector:
+    """What surfaces and gusts add to the rates of u, w, q, beta, p and r: the same for all stages of a step.
+
+    A gust is felt by the aerodynamics as the opposite motion of the aircraft.
+    """
     A, B, Alat, Blat = plant.matrices
-    (xu, xw, xq, xt), (zu, zw, zq, zt), (mu, mw, mq, mt), _ = A
+    (xu, xw, _, _), (zu, zw, _, _), (mu, mw, _, _), _ = A
     (xe, xT), (ze, zT), (me, mT), _ = B
-    (yb, yp, yr, yf), (lb, lp, lr, lf), (nb, np, nr, nf), (_, fp, fr, _) = Alat
+    (yb, _, _, _), (lb, _, _, _), (nb, _, _, _), _ = Alat
     (ya, yd), (la, ld), (na, nd), _ = Blat
+    de, da, dr, throttle = held
+    dT = throttle - plant.trim_throttle
+    ug, wg, bg = air.gust_u, air.gust_w, air.gust_v / plant.reference.V
+    return (
+        xe * de + xT * dT - xu * ug - xw * wg,
+        ze * de + zT * dT - zu * ug - zw * wg,
+        me * de + mT * dT - mu * ug - mw * wg,
+        ya * da + yd * dr - yb * bg,
+        la * da + ld * dr - lb * bg,
+        na * da + nd * dr - nb * bg,
+    )
+
+
+def _slope(plant: SmallPerturbation, x: Vector, forcing: Vector, air: Air) -> Vector:
+    """dx/dt, in the order of the state. Plain tuples: this is the innermost loop, and records take twice as long."""
+    u, w, q, theta, beta, p, r, phi, psi, _, _, _ = x
+    fu, fw, fq, fb, fp, fr = forcing
+    A, _, Alat, _ = plant.matrices
+    (xu, xw, xq, xt), (zu, zw, zq, zt), (mu, mw, mq, mt), _ = A
+    (yb, yp, yr, yf), (lb, lp, lr, lf), (nb, np, nr, nf), (_, hp, hr, _) = Alat
     ref = plant.reference
-    de, da, dr, dT = held.elevator, held.aileron, held.rudder, held.throttle - plant.trim_throttle
-    q, theta, p, r, phi = x.q, x.theta, x.p, x.r, x.phi
-    u, w, beta = x.u - air.gust_u, x.w - air.gust_w, x.beta - air.gust_v / ref.V
-    u_dot = xu * u + xw * w + xq * q + xt * theta + xe * de + xT * dT
-    w_dot = zu * u + zw * w + zq * q + zt * theta + ze * de + zT * dT
-    q_dot = mu * u + mw * w + mq * q + mt * theta + me * de + mT * dT
-    beta_dot = yb * beta + yp * p + yr * r + yf * phi + ya * da + yd * dr
-    p_dot = lb * beta + lp * p + lr * r + lf * phi + la * da + ld * dr
-    r_dot = nb * beta + np * p + nr * r + nf * phi + na * da + nd * dr
-    phi_dot, psi_dot = fp * p + fr * r, r / cos(ref.gamma)
-    north, east, up = _velocity(ref, x, air)
-    # By position, for this is the innermost loop: named arguments take a microsecond more.
-    return PerturbationState(u_dot, w_dot, q_dot, q, beta_dot, p_dot, r_dot, phi_dot, psi_dot, north, east, up)
+    north, east, up = _velocity(ref, u, w, theta, psi + beta, air)
+    return (
+        xu * u + xw * w + xq * q + xt * theta + fu,
+        zu * u + zw * w + zq * q + zt * theta + fw,
+        mu * u + mw * w + mq * q + mt * theta + fq,
+        q,
+        yb * beta + yp * p + yr * r + yf * phi + fb,
+        lb * beta + lp * p + lr * r + lf * phi + fp,
+        nb * beta + np * p + nr * r + nf * phi + fr,
+        hp * p + hr * r,
+        r / cos(ref.gamma),
+        north,
+        east,
+        up,
+    )
 
 
-def _velocity(ref: Reference, x: PerturbationState, air: Air) -> tuple[float, float, float]:
-    """Over the Earth, north, east and up [m/s]: the airspeed along the flight path, and the wind."""
-    V = ref.V + x.u
-    gamma = ref.gamma + x.theta - x.w / ref.V
-    chi = x.psi + x.beta
+def _velocity(
+    ref: Reference, u: float, w: float, theta: float, chi: float, air: Air
+) -> tuple[float, float, float]:
+    """Over the Earth, north, east and up [m/s]: the airspeed along the flight path, heading `chi`, and the wind."""
+    V = ref.V + u
+    gamma = ref.gamma + theta - w / ref.V
     level = V * cos(gamma)
     return level * cos(chi) + air.wind_north, level * sin(chi) + air.wind_east, V * sin(gamma) - air.wind_down
 
@@ -189,8 +220,10 @@ def advance(
             x = _held(plant, method, x, command, air)
         return x
 
+    forcing = _forcing(plant, command, air)
+
     def f(y: Vector) -> Vector:
-        return derivative(plant, PerturbationState(*y), command, air)
+        return _slope(plant, y, forcing, air)
 
     y: Vector = x
     for _ in range(substeps):
@@ -208,9 +241,8 @@ def _held(
     lat_in = (held.aileron, held.rudder, air.gust_v)
     u, w, q, theta = _affine(hold.Phi_lon, lon, hold.Gamma_lon, lon_in)
     beta, p, r, phi, psi = _affine(hold.Phi_lat, lat, hold.Gamma_lat, lat_in)
-    then = PerturbationState(u, w, q, theta, beta, p, r, phi, psi)
-    north, east, up = _velocity(plant.reference, x, air)
-    north_then, east_then, up_then = _velocity(plant.reference, then, air)
+    north, east, up = _velocity(plant.reference, x.u, x.w, x.theta, x.psi + x.beta, air)
+    north_then, east_then, up_then = _velocity(plant.reference, u, w, theta, psi + beta, air)
     half = 0.5 * hold.h
     place = (x.north + half * (north + north_then), x.east + half * (east + east_then), x.h + half * (up + up_then))
     return PerturbationState(u, w, q, theta, beta, p, r, phi, psi, *place)
