@@ -137,3 +137,54 @@ def test_without_a_gamepad_the_chooser_says_what_to_do(open_page: Any) -> None:
     page.locator("#control").click()
     page.get_by_role("menuitemradio", name="Gamepad").click()
     page.get_by_text("Plug one in and press one of its buttons").wait_for()
+
+
+def test_a_calibrated_axis_reaches_both_stops(open_page: Any) -> None:
+    page = open_page(remembering({"roll": {"axis": 0, "center": 0.1, "low": -0.7, "high": 0.9}, "deadZone": 0, "curve": 1}))
+    for read, meant in ((0.9, 1.0), (-0.7, -1.0), (0.5, 0.5), (-0.3, -0.5), (0.1, 0.0)):
+        axis(page, 0, read, 0.4)
+        assert drawn(page)["stick_roll"] == pytest.approx(meant, abs=1e-3)
+
+
+def test_start_freezes_once_for_each_press_and_not_in_a_dialog(open_page: Any) -> None:
+    page = open_page(INJECT)
+    press = "(value) => window.pad.buttons[9].value = value"
+    page.evaluate(press, 1)
+    page.get_by_role("button", name="Resume").wait_for()
+    page.wait_for_timeout(500)
+    page.get_by_role("button", name="Resume").wait_for()
+    page.evaluate(press, 0)
+    page.wait_for_timeout(200)
+    page.keyboard.press("?")
+    page.evaluate(press, 1)
+    page.wait_for_timeout(400)
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(400)
+    page.get_by_role("button", name="Resume").wait_for()
+    page.evaluate(press, 0)
+    page.wait_for_timeout(200)
+    page.evaluate(press, 1)
+    page.get_by_role("button", name="Freeze").wait_for()
+
+
+def test_the_chosen_control_is_remembered(open_page: Any) -> None:
+    page = open_page(INJECT)
+    page.locator("#control").click()
+    page.get_by_role("menuitemradio", name="Keyboard").click()
+    page.reload()
+    page.wait_for_function(READY)
+    page.get_by_text("Test Pad is plugged in. To fly with it, choose Gamepad").wait_for()
+    axis(page, 0, 1.0)
+    assert drawn(page)["stick_roll"] == 0.0
+    page.keyboard.press("m")
+    page.reload()
+    page.wait_for_function(READY)
+    page.locator("#control", has_text="Mouse stick").wait_for()
+    page.keyboard.press("m")
+    page.locator("#control", has_text="Keyboard").wait_for()
+    page.locator("#control").click()
+    page.get_by_role("menuitemradio", name="Gamepad").click()
+    page.reload()
+    page.wait_for_function(READY)
+    axis(page, 0, 1.0)
+    assert drawn(page)["stick_roll"] == pytest.approx(1.0)

@@ -195,6 +195,7 @@ const actions = {
   help: () => byId("help").showModal(),
 };
 listenToKeys(actions);
+stick.onAction = (action) => Object.hasOwn(actions, action) && actions[action]();
 for (const button of document.querySelectorAll("[data-action]"))
   button.addEventListener("click", () => actions[button.dataset.action]());
 byId("choose-aircraft").addEventListener("click", chooseAircraft);

@@ -1,42 +1,59 @@
-/**
- * A gamepad or joystick as a stick. What moves what is a mapping, remembered for each device under "fdes.gamepads":
- * a control is an axis ({axis, invert, center}) or a pair of buttons ({plus, minus}).
- */
+/** A gamepad or joystick as a stick: which device flies, where its controls stand, and which of its buttons go down. */
 
+import { mappingOf, remember, usualMapping } from "./gamepad_mapping.js";
 import { clamp } from "./units.js";
 
-const KEY = "fdes.gamepads";
-const CONTROLS = ["pitch", "roll", "yaw", "throttle"];
-const MOST = 64; // axes or buttons of any device
-const FEEL = { deadZone: 0.06, curve: 1.4 }; // share of the travel; exponent, finer near the center
-const axis = (number, invert = false) => ({ axis: number, invert, center: 0 });
-
-// The standard mapping of the Gamepad API: left stick, triggers as pedals, cross up and down as throttle.
-const STANDARD = { pitch: axis(1), roll: axis(0), yaw: { plus: 7, minus: 6 }, throttle: { plus: 12, minus: 13 }, ...FEEL };
-// A joystick of four axes: its grip twists, and its lever is pushed forward to -1.
-const JOYSTICK = { pitch: axis(1), roll: axis(0), yaw: axis(2), throttle: axis(3, true), ...FEEL };
-
-const isNumber = (value, low, high) => Number.isFinite(value) && value >= low && value <= high;
-const isIndex = (value) => Number.isInteger(value) && isNumber(value, 0, MOST - 1);
+const KEY = "fdes.gamepad"; // the id of the device that flies, where there are several
+const DOWN = 0.5; // of a button's travel
 
 export class Gamepads {
   constructor() {
     this.pad = null;
-    this.mapping = STANDARD;
-    this.lastId = null;
+    this.mapping = null; // of the pad
+    this.wanted = { id: recall(), index: null };
+    this.seen = { id: null, index: null };
+    this.down = null; // which buttons are; null until they have been looked at
+    this.isBeingSetUp = false; // it then flies nothing, and its buttons do nothing
+    this.onAction = () => {};
   }
 
-  /** The first connected device, or null. Finds its mapping when the device is another one. */
+  /** The device that flies, or null: the one that was chosen where it is connected, else the first. */
   find() {
     const pads = navigator.getGamepads?.() ?? [];
-    this.pad = null;
-    for (let i = 0; i < pads.length && !this.pad; i += 1) if (pads[i]?.connected) this.pad = pads[i];
-    if (this.pad && this.pad.id !== this.lastId) {
-      this.lastId = this.pad.id;
-      this.mapping = mappingOf(this.pad);
+    let found = null;
+    let best = -1;
+    for (let i = 0; i < pads.length; i += 1) {
+      if (!pads[i]?.connected) continue;
+      const fit = pads[i].id !== this.wanted.id ? 0 : pads[i].index === this.wanted.index ? 2 : 1;
+      if (fit > best) [found, best] = [pads[i], fit];
     }
-    if (!this.pad) this.lastId = null;
-    return this.pad;
+    this.pad = found;
+    if (found?.id !== this.seen.id || found?.index !== this.seen.index) this.meet(found);
+    return found;
+  }
+
+  meet(pad) {
+    this.seen = { id: pad?.id, index: pad?.index };
+    this.down = null;
+    this.mapping = pad && mappingOf(pad);
+  }
+
+  /** Every connected device. */
+  get all() {
+    return [...(navigator.getGamepads?.() ?? [])].filter((pad) => pad?.connected);
+  }
+
+  /** From now on `pad` flies whenever it is connected. */
+  choose({ id, index }) {
+    this.wanted = { id, index };
+    keep(id);
+    this.find();
+  }
+
+  /** Another mapping, remembered for this device: these parts of it, or (null) the usual one. */
+  change(parts) {
+    this.mapping = parts ? { ...this.mapping, ...parts } : usualMapping(this.pad);
+    remember(this.pad.id, parts && this.mapping);
   }
 
   get name() {
@@ -46,18 +63,19 @@ export class Gamepads {
   /** Where `control` stands, -1 to 1, before dead zone and curve. */
   raw(control) {
     const from = this.mapping[control];
-    if (from.axis === undefined) return this.button(from.plus) - this.button(from.minus);
-    const value = (this.pad.axes[from.axis] ?? from.center) - from.center;
-    const span = 1 - Math.sign(value) * from.center; // of the side that the axis is on
-    return clamp((from.invert ? -value : value) / span, -1, 1);
+    const value = from.axis === undefined ? this.button(from.plus) - this.button(from.minus) : this.travelled(from);
+    return from.invert ? -value : value;
+  }
+
+  /** How far an axis is from its center, as a share of the travel to that side. */
+  travelled({ axis, center, low, high }) {
+    const value = (this.pad.axes[axis] ?? center) - center;
+    return clamp(value / (value > 0 ? high - center : center - low), -1, 1);
   }
 
   /** Where the stick is on `control`, -1 to 1; exactly 0 inside the dead zone. */
   shaped(control) {
-    const { deadZone, curve } = this.mapping;
-    const raw = this.raw(control);
-    const size = Math.abs(raw);
-    return size <= deadZone ? 0 : Math.sign(raw) * ((size - deadZone) / (1 - deadZone)) ** curve;
+    return shape(this.raw(control), this.mapping);
   }
 
   /** Whether the throttle is a lever, which says where it stands, rather than a pair of buttons, which move it. */
@@ -69,32 +87,43 @@ export class Gamepads {
   button(number) {
     return this.pad.buttons[number]?.value ?? 0;
   }
-}
 
-/** The device's usual mapping, with what is remembered for it where that makes sense. */
-function mappingOf(pad) {
-  const mapping = { ...(pad.mapping === "standard" ? STANDARD : JOYSTICK) };
-  const kept = remembered(pad.id);
-  for (const control of CONTROLS) {
-    const from = kept?.[control];
-    if (isIndex(from?.axis))
-      mapping[control] = {
-        axis: from.axis,
-        invert: from.invert === true,
-        center: isNumber(from.center, -0.9, 0.9) ? from.center : 0,
-      };
-    else if (isIndex(from?.plus) && isIndex(from?.minus)) mapping[control] = { plus: from.plus, minus: from.minus };
+  /** Tells the actions of buttons that have gone down since the last call; not of those that already were. */
+  followButtons() {
+    const first = this.down === null;
+    this.down ??= [];
+    for (let i = 0; i < this.pad.buttons.length; i += 1) {
+      const isDown = this.button(i) > DOWN;
+      if (isDown && !this.down[i] && !first) this.press(i);
+      this.down[i] = isDown;
+    }
   }
-  if (isNumber(kept?.deadZone, 0, 0.9)) mapping.deadZone = kept.deadZone;
-  if (isNumber(kept?.curve, 0.5, 4)) mapping.curve = kept.curve;
-  return mapping;
+
+  press(number) {
+    const { actions } = this.mapping;
+    for (const action in actions) if (actions[action] === number) this.onAction(action);
+  }
 }
 
-// Storage may be forbidden, or hold what another program left there: the device then has its usual mapping.
-function remembered(id) {
+/** A deflection -1..1 after the dead zone and the curve. */
+export function shape(raw, { deadZone, curve }) {
+  const size = Math.abs(raw);
+  return size <= deadZone ? 0 : Math.sign(raw) * ((size - deadZone) / (1 - deadZone)) ** curve;
+}
+
+// Storage may be forbidden: the first device then flies after every reload.
+function recall() {
   try {
-    return JSON.parse(localStorage.getItem(KEY))?.[id];
+    return localStorage.getItem(KEY);
   } catch {
-    return undefined;
+    return null;
+  }
+}
+
+function keep(id) {
+  try {
+    localStorage.setItem(KEY, id);
+  } catch {
+    return;
   }
 }

@@ -29,6 +29,8 @@ const BACK_RATE = 3.5; // full travel per second, towards the center
 const THROTTLE_RATE = 0.4; // full travel per second
 const GENTLE = 1 / 3;
 const LONGEST_STEP = 0.1; // s: a stalled page must not make the stick jump
+const CHOICE = "fdes.control"; // "keyboard", "mouse" or "gamepad", where one was chosen
+const MOUSE_FLIES = "Mouse stick: the pointer over the world flies. M or Escape ends it.";
 
 const TYPING = "input, select, textarea, [contenteditable], dialog";
 const USES_ARROWS = "[role=tab]";
@@ -47,12 +49,15 @@ export class StickInput {
     this.gamepads = new Gamepads();
     this.mouse = new MouseStick(document.querySelector(".view"));
     this.padName = null;
-    this.usesPad = true; // one that is plugged in flies, until another control is chosen
+    this.usesPad = true; // one that is plugged in flies, unless another control was chosen
     this.trimThrottle = 0;
     this.source = "Keyboard";
     this.touched = false;
     this.onFirstInput = () => {};
     this.onNotice = () => {}; // told in a sentence when another device takes or leaves the stick
+    this.onAction = () => {}; // told which action a button of the gamepad asks for
+    this.gamepads.onAction = (action) => this.usesPad && !document.querySelector("dialog[open]") && this.onAction(action);
+    this.recallChoice();
     this.last = performance.now();
     addEventListener("keydown", (event) => this.press(event));
     addEventListener("keyup", (event) => {
@@ -76,12 +81,33 @@ export class StickInput {
     const leaves = event.code === "Escape" && this.mouse.active;
     if ((event.code !== "KeyM" && !leaves) || event.repeat || isTaken(event)) return false;
     this.mouse.toggle();
-    this.onNotice(
-      this.mouse.active
-        ? "Mouse stick: the pointer over the world flies. M or Escape ends it."
-        : "The keyboard flies. The stick is centered.",
-    );
+    this.rememberChoice(this.mouse.active ? "mouse" : this.usesPad ? null : "keyboard");
+    this.onNotice(this.mouse.active ? MOUSE_FLIES : `${this.padFlies ? this.gamepads.name : "The keyboard"} flies. The stick is centered.`);
     return true;
+  }
+
+  /** What was chosen before the page was loaded again. Nothing, where storage is forbidden or holds something else. */
+  recallChoice() {
+    try {
+      const name = localStorage.getItem(CHOICE);
+      this.mouse.toggle(name === "mouse");
+      this.usesPad = name !== "mouse" && name !== "keyboard";
+    } catch {
+      this.usesPad = true;
+    }
+  }
+
+  rememberChoice(name) {
+    try {
+      if (name) localStorage.setItem(CHOICE, name);
+      else localStorage.removeItem(CHOICE);
+    } catch {
+      return; // storage may be forbidden: the choice then lasts until the page is closed
+    }
+  }
+
+  get padFlies() {
+    return this.usesPad && Boolean(this.gamepads.pad) && !this.gamepads.isBeingSetUp;
   }
 
   /** What flies now, as the chooser names it. */
@@ -93,8 +119,9 @@ export class StickInput {
   /** Hands the stick to "keyboard", "mouse" or "gamepad"; answers what that means in a sentence. */
   choose(name) {
     this.mouse.toggle(name === "mouse");
-    this.usesPad = name === "gamepad" || !this.gamepads.pad;
-    if (name === "mouse") return "Mouse stick: the pointer over the world flies. M or Escape ends it.";
+    this.usesPad = name === "gamepad";
+    this.rememberChoice(name);
+    if (name === "mouse") return MOUSE_FLIES;
     if (name === "keyboard") return "The keyboard flies. The stick is centered.";
     if (this.gamepads.pad) return `${this.gamepads.name} flies.`;
     return "No gamepad is seen. Plug one in and press one of its buttons; until then the keyboard flies.";
@@ -126,7 +153,8 @@ export class StickInput {
     this.source = this.mouse.active ? "Mouse stick" : "Keyboard";
     if (this.mouse.active) this.addMouse();
     this.noticeGamepad(this.gamepads.find());
-    if (this.gamepads.pad && this.usesPad) this.addGamepad(dt);
+    if (this.gamepads.pad) this.gamepads.followButtons();
+    if (this.padFlies) this.addGamepad(dt);
     this.moved.throttle = this.stick.throttle;
     return this.moved;
   }
@@ -157,9 +185,10 @@ export class StickInput {
   noticeGamepad(pad) {
     const name = pad ? this.gamepads.name : null;
     if (name === this.padName) return;
-    this.onNotice(name ? `${name} flies.` : `${this.padName} is unplugged. The stick is centered; the keyboard flies.`);
+    if (!name) this.onNotice(`${this.padName} is unplugged.${this.usesPad ? " The stick is centered; the keyboard flies." : ""}`);
+    else if (this.usesPad) this.onNotice(`${name} flies.`);
+    else this.onNotice(`${name} is plugged in. To fly with it, choose Gamepad in the menu of the top bar.`);
     this.padName = name;
-    this.usesPad = true;
   }
 
   /** The pad wins on every axis where it is off center; keys and mouse keep the others. */
