@@ -140,7 +140,8 @@ def test_without_a_gamepad_the_chooser_says_what_to_do(open_page: Any) -> None:
 
 
 def test_a_calibrated_axis_reaches_both_stops(open_page: Any) -> None:
-    page = open_page(remembering({"roll": {"axis": 0, "center": 0.1, "low": -0.7, "high": 0.9}, "deadZone": 0, "curve": 1}))
+    roll = {"axis": 0, "center": 0.1, "low": -0.7, "high": 0.9}
+    page = open_page(remembering({"roll": roll, "deadZone": 0, "curve": 1}))
     for read, meant in ((0.9, 1.0), (-0.7, -1.0), (0.5, 0.5), (-0.3, -0.5), (0.1, 0.0)):
         axis(page, 0, read, 0.4)
         assert drawn(page)["stick_roll"] == pytest.approx(meant, abs=1e-3)
