@@ -33,11 +33,11 @@ class Shelf:
 
     def names(self) -> list[str]:
         """The names of all parts, sorted."""
-        return sorted({*self._own(), *_foreign(self.name)})
+        return sorted({*_own(self.package), *_foreign(self.name)})
 
     def get(self, name: str) -> Any:
         """The part called `name`. Raises NoSuchPart with the nearest name."""
-        if name in self._own():
+        if name in _own(self.package):
             module = import_module(f"{self.package}.{name}")
             (part,) = module.__all__
             return getattr(module, part)
@@ -47,11 +47,13 @@ class Shelf:
         one = "criterion" if self.name == "criteria" else self.name.removesuffix("s")
         raise NoSuchPart(one, name, self.names())
 
-    def _own(self) -> list[str]:
-        return [m.name for m in iter_modules(import_module(self.package).__path__)]
+
+@cache  # the cockpit asks in flight
+def _own(package: str) -> tuple[str, ...]:
+    return tuple(m.name for m in iter_modules(import_module(package).__path__))
 
 
-@cache  # looking through what is installed takes some 10 ms, and the cockpit asks in flight
+@cache  # looking through what is installed takes some 10 ms
 def _foreign(name: str) -> dict[str, Any]:
     return {e.name: e for e in entry_points(group=f"fdes.{name}")}
 

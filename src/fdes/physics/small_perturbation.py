@@ -153,9 +153,7 @@ def _slope(plant: SmallPerturbation, x: Vector, forcing: Vector, air: Air) -> Ve
     )
 
 
-def _velocity(
-    ref: Reference, u: float, w: float, theta: float, chi: float, air: Air
-) -> tuple[float, float, float]:
+def _velocity(ref: Reference, u: float, w: float, theta: float, chi: float, air: Air) -> tuple[float, float, float]:
     """Over the Earth, north, east and up [m/s]: the airspeed along the flight path, heading `chi`, and the wind."""
     V = ref.V + u
     gamma = ref.gamma + theta - w / ref.V
