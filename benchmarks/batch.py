@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fdes.aircraft import load
-from fdes.analysis.batch import Given, flat_earth_batch, numbers_of
+from fdes.analysis.batch import solver_of
+from fdes.analysis.compiled_plant import Given, numbers_of
 from fdes.analysis.trim import TrimSpec, trim
 from fdes.flight.nonlinear import six_dof_of
 from fdes.physics.signals import Air
@@ -40,8 +41,8 @@ def main(argv: list[str] | None = None) -> dict[str, float]:
     plant = trim(six_dof_of(condition), TrimSpec(condition.reference.V, 500.0)).plant
     figures: dict[str, float] = {}
     for name, aircraft, lanes in (("batch", chosen.aircraft, 8), ("one aircraft", 1, 1)):
-        solver = flat_earth_batch(lanes=lanes)
-        tuples = plant.start(), Given(plant.trim(), Air()), numbers_of(plant)
+        solver = solver_of(plant, lanes)
+        tuples = plant.start(), Given(plant.trim(), Air()), tuple(numbers_of(plant))
         steps = chosen.steps * chosen.aircraft // aircraft // (1 if aircraft > 1 else 4)
         for _ in range(ROUNDS):
             x, held, numbers = (columns(t, aircraft) for t in tuples)

@@ -1,8 +1,9 @@
-"""The one door to numba: the plain text of physics, compiled for one aircraft or for a batch of them.
+"""The one door to numba: the plain text of physics, compiled for one aircraft or for many, or differentiated.
 
 Physics is written once, as scalar functions on named tuples, and runs as it stands. `compiled` makes the machine's
 form of a function and of everything it calls; `batch` makes a solver that takes many aircraft through a derivative, in
-lanes. numba is imported when one of them is first asked for, and never by `import fdes` or by the cockpit.
+lanes; `jacobian` makes the slopes of a derivative, by dual numbers. numba is imported when one of them is first asked
+for, and never by `import fdes` or by the cockpit.
 
 With ``FDES_COMPILED=0`` in the environment `compiled` gives back the plain function.
 
@@ -29,6 +30,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 # Not `reassoc`, which would change published digits, nor `nnan` and `ninf`, with which isnan() is always false.
 FLOATING = {"contract", "arcp", "nsz"}
+OCTET = 8  # slopes in a vector of `fdes.duals`
 LANES = 8  # of a block: one AVX-512 register each, two of AVX2; 16 and 32 are 5 % slower on a 14-state model
 NOTHING: Mapping[Any, Any] = {}
 KEPT = 4  # folders of compiled forms: of this FDES, and of the last that was edited or installed beside it
@@ -70,29 +72,69 @@ def batch(
     are called. Nothing loops over aircraft but the innermost loop, which the compiler turns into packed instructions.
     Raises SpecError where compiling is switched off.
     """
-    if not enabled():
-        raise SpecError("A batch of aircraft needs compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
-    hints = get_type_hints(derivative)
-    hints.pop("return")
-    state, held, numbers = hints.values()
-    text = _solver_text(state, held, numbers, tableau, lanes)
-    solver = _module(
+    state, held, numbers, _ = _signature(derivative, "A batch of aircraft")
+    text = _solver_text(state, held, numbers, tableau, lanes) + f"# of {_content(derivative, instead)}\n"
+    solver = module_of(
         text, {"derivative": _machine_form(derivative, instead, inside=True), **_tuples(state, held, numbers)}
     )
     states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
     return Batch(states, inputs, parameters, _njit(solver.advance, nogil=True))
 
 
-def _machine_form(f: Any, instead: Mapping[Any, Any], *, inside: bool) -> Any:
-    """numba's form of `f`, and of what it calls; `inside` another, it is inlined, so that lanes stay together."""
+class Jacobian(NamedTuple):
+    """A compiled function with its slopes.
+
+    fill(x, held, numbers, results, slopes) takes points row by row: `states`, `inputs` and `parameters`, in that order.
+    It writes the results, and their slopes by states and inputs: into rows of `width`, of which the first columns are
+    those of states and inputs. All arrays are float64 and contiguous; `slopes` is flat.
+    """
+
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+    width: int
+    fill: Callable[..., None]
+
+
+def jacobian(derivative: Callable[[Any, Any, Any], Any], instead: Mapping[Any, Any] = NOTHING) -> Jacobian:
+    """The slopes of `derivative(x, held, numbers)` by all of `x` and `held`; its result is a flat tuple of numbers.
+
+    Arguments are as of `batch`. Raises SpecError where compiling is switched off.
+    """
+    state, held, numbers, result = _signature(derivative, "The slopes of a derivative")
+    states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
+    octets = -(-(len(states) + len(inputs)) // OCTET)
+    text = _jacobian_text((state, held, numbers), len(list(_leaves(result))), octets)
+    text += f"# of {_content(derivative, instead)}\n"
+    duals = importlib.import_module("fdes.duals")
+    given = {"derivative": _machine_form(derivative, instead, inside=True, forms="fdes.duals")}
+    given |= {"seed": duals.seed, "store": duals.store, **_tuples(state, held, numbers)}
+    solver = module_of(text, given)
+    return Jacobian(states, inputs, parameters, octets * OCTET, _njit(solver.fill, nogil=True))
+
+
+def _signature(derivative: Any, what: str) -> tuple[type, type, type, type]:
+    """The named tuples that it takes, and the one it gives. Raises SpecError where compiling is switched off."""
+    if not enabled():
+        raise SpecError(f"{what} needs compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
+    state, held, numbers, result = get_type_hints(derivative).values()
+    return state, held, numbers, result
+
+
+def _machine_form(f: Any, instead: Mapping[Any, Any], *, inside: bool, forms: str = "fdes.lanes") -> Any:
+    """numba's form of `f`, and of what it calls; `inside` another, it is inlined, so that lanes stay together.
+
+    forms: the module whose functions stand in for the elementary ones.
+    """
     globals_ = dict(f.__globals__)
     for name in _globals_of(f.__code__):
         value = globals_.get(name)
         if isinstance(value, FunctionType) or (callable(value) and _elementary(name, value)):
-            globals_[name] = _machine_form(instead.get(value, _lane_form(name, value)), instead, inside=True)
+            form = instead.get(value, _form_of(name, value, forms))
+            globals_[name] = _machine_form(form, instead, inside=True, forms=forms)
     twin = FunctionType(f.__code__, globals_, f.__name__, f.__defaults__, f.__closure__)
     twin.__module__, twin.__qualname__, twin.__kwdefaults__ = f.__module__, f.__qualname__, f.__kwdefaults__
-    return _njit(twin, forceinline=inside)
+    return _njit(twin, forceinline=inside, cached=not inside)
 
 
 @cache
@@ -100,9 +142,9 @@ def _outer(f: Any) -> Any:
     return _machine_form(f, NOTHING, inside=False)
 
 
-def _lane_form(name: str, value: Any) -> Any:
-    """An elementary function compiles as its namesake in `fdes.lanes`."""
-    return getattr(importlib.import_module("fdes.lanes"), name) if _elementary(name, value) else value
+def _form_of(name: str, value: Any, forms: str) -> Any:
+    """An elementary function compiles as its namesake in `forms`."""
+    return getattr(importlib.import_module(forms), name) if _elementary(name, value) else value
 
 
 def _elementary(name: str, value: Any) -> bool:
@@ -114,13 +156,46 @@ def _globals_of(code: CodeType) -> set[str]:
     return {i.argval for i in dis.get_instructions(code) if i.opname == "LOAD_GLOBAL"}
 
 
-def _njit(f: Any, **options: Any) -> Any:
-    """`numba.njit`, with the disk cache in a folder that belongs to these sources."""
+def _content(f: Any, instead: Mapping[Any, Any]) -> str:
+    """A hash of what is compiled: the code and the constants of `f`, and of all that it calls.
+
+    Without it, numba's cache could not tell two aircraft apart whose tuples have the same fields.
+    """
+    digest, seen = hashlib.sha256(), set()
+
+    def take(value: Any) -> None:
+        if isinstance(value, FunctionType):
+            value = instead.get(value, value)
+            if id(value) not in seen:
+                seen.add(id(value))
+                take(value.__code__)
+                for name in sorted(_globals_of(value.__code__)):
+                    take(value.__globals__.get(name))
+        elif isinstance(value, CodeType):
+            digest.update(value.co_code + repr(value.co_names).encode())
+            take(value.co_consts)
+        elif isinstance(value, tuple):
+            for part in value:
+                take(part)
+        else:
+            digest.update(value.tobytes() if hasattr(value, "tobytes") else repr(value).encode())
+
+    take(f)
+    return digest.hexdigest()
+
+
+def _njit(f: Any, *, cached: bool = True, **options: Any) -> Any:
+    """`numba.njit`, with the disk cache in a folder that belongs to these sources.
+
+    What is inlined is not cached: the same text calls other functions in the next aircraft, which numba would not see.
+    """
     import numba
     from numba.core import config as _config
 
     config: Any = _config  # its settings are made when it is imported, where a type checker cannot see them
     machine = numba.njit(error_model="numpy", fastmath=FLOATING, **options)(f)
+    if not cached:
+        return machine
     before, config.CACHE_DIR = config.CACHE_DIR, str(_cache_folder())
     try:
         machine.enable_caching()
@@ -154,9 +229,8 @@ def _solver_text(state: type, held: type, numbers: type, tableau: Any, lanes: in
     counts = [len(list(_leaves(t))) for t in (state, held, numbers)]
     n, m, p = counts
     first = n + m + p  # rows: the state of a stage, what is held, the numbers, the state, and a slope for each stage
-    arguments = ", ".join(
-        _built(t, iter(range(start, first))) for t, start in ((state, 0), (held, n), (numbers, n + m))
-    )
+    places = iter([f"w[{row * lanes} + l]" for row in range(first)])
+    arguments = ", ".join(_built(t, places) for t in (state, held, numbers))
     return "\n".join([
         "import numpy as np",
         "",
@@ -189,7 +263,7 @@ def _stage(k: int, n: int, first: int, arguments: str, tableau: Any, lanes: int)
     return [
         *_combined(tableau.a[k], n, first, 0, lanes),
         f"            for l in range({lanes}):",
-        f"                d = derivative({arguments.replace('#', str(lanes))})",
+        f"                d = derivative({arguments})",
         *[f"                w[{(slope + i) * lanes} + l] = d[{i}]" for i in range(n)],
     ]
 
@@ -206,10 +280,32 @@ def _combined(weights: tuple[float, ...], n: int, first: int, to: int, lanes: in
     ]
 
 
-def _built(tuple_: type, rows: Iterator[int]) -> str:
-    """The text that makes a named tuple of one lane; # stands for the number of lanes."""
+def _jacobian_text(arguments: tuple[type, ...], results: int, octets: int) -> str:
+    """One point after the other; the first two arguments are dual numbers, each with a direction of its own."""
+    columns, places = 0, []
+    for name, tuple_ in zip(("x", "held", "numbers"), arguments, strict=True):
+        count = len(list(_leaves(tuple_)))
+        if name == "numbers":
+            places += [f"numbers[k, {i}]" for i in range(count)]
+            continue
+        places += [f"seed({name}[k, {i}], {columns + i}, {octets})" for i in range(count)]
+        columns += count
+    each = iter(places)
+    width = octets * OCTET
+    return "\n".join([
+        "def fill(x, held, numbers, results, slopes):",
+        "    for k in range(x.shape[0]):",
+        f"        d = derivative({', '.join(_built(t, each) for t in arguments)})",
+        *[f"        results[k, {i}] = d[{i}].real" for i in range(results)],
+        *[f"        store(slopes, (k * {results} + {i}) * {width}, d[{i}])" for i in range(results)],
+        "",
+    ])  # fmt: skip
+
+
+def _built(tuple_: type, places: Iterator[str]) -> str:
+    """The text that makes a named tuple of the numbers in those places."""
     parts = [
-        _built(t, rows) if isinstance(t, type) and hasattr(t, "_fields") else f"w[{next(rows)} * # + l]"
+        _built(t, places) if isinstance(t, type) and hasattr(t, "_fields") else next(places)
         for t in get_type_hints(tuple_).values()
     ]
     return f"{tuple_.__name__}({', '.join(parts)})"
@@ -232,8 +328,11 @@ def _tuples(*found: type) -> dict[str, type]:
     return all_
 
 
-def _module(text: str, given: dict[str, Any]) -> ModuleType:
-    """A module of that text, in a file named for its content, which is what numba's cache goes by."""
+def module_of(text: str, given: Mapping[str, Any]) -> ModuleType:
+    """A module of that text and of names that are given to it, to be compiled.
+
+    Its file is named for the text, which is what numba's cache goes by.
+    """
     key = hashlib.sha256(text.encode()).hexdigest()[:16]
     path = _cache_folder() / f"solver_{key}.py"
     if not path.exists():

@@ -45,13 +45,21 @@ class Place(NamedTuple):
 
 
 def place(earth: Earth, x: Meter, y: Meter, z: Meter) -> Place:
-    """The height of a point of the Earth frame, and its local axes.
+    """The height of a point of the Earth frame, and its local axes."""
+    return flat_place(earth, x, y, z) if earth.g else round_place(earth, x, y, z)
+
+
+def flat_place(earth: Earth, x: Meter, y: Meter, z: Meter) -> Place:
+    """That of a flat Earth."""
+    return Place(-z, SAME_AXES)
+
+
+def round_place(earth: Earth, x: Meter, y: Meter, z: Meter) -> Place:
+    """That of a round Earth.
 
     B. R. Bowring, Survey Review 23 (1976) 323-327, in two rounds: to 1e-9 m from 10 km below to 1000 km above the
     ellipsoid, by sines and cosines, which do not know a pole.
     """
-    if earth.g:
-        return Place(-z, SAME_AXES)
     a, f = earth.a, earth.flattening
     b, e2 = a * (1.0 - f), f * (2.0 - f)
     level = sqrt(x * x + y * y)
@@ -85,8 +93,16 @@ def _cubed_sine(s: float, c: float) -> float:
 
 def gravitation(earth: Earth, x: Meter, y: Meter, z: Meter) -> Three:
     """The pull of the Earth at rest [m/s^2], in the Earth frame: the gradient of its potential. Sec. 1.6."""
-    if earth.g:
-        return 0.0, 0.0, earth.g
+    return flat_gravitation(earth, x, y, z) if earth.g else round_gravitation(earth, x, y, z)
+
+
+def flat_gravitation(earth: Earth, x: Meter, y: Meter, z: Meter) -> Three:
+    """That of a flat Earth."""
+    return 0.0, 0.0, earth.g
+
+
+def round_gravitation(earth: Earth, x: Meter, y: Meter, z: Meter) -> Three:
+    """That of a round Earth."""
     r2 = x * x + y * y + z * z
     pull = -earth.GM / (r2 * sqrt(r2))
     bulge = 1.5 * earth.J2 * earth.a * earth.a / r2

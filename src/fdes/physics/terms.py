@@ -124,7 +124,8 @@ def term_loads(a: TermAero, flow: Flow, surfaces: Surfaces) -> AirLoads:
     k = body_coefficients(a, term_signals(a, flow, surfaces))
     qS = flow.qbar * a.S
     X, Y, Z = qS * k.CX, qS * k.CY, qS * k.CZ
-    return AirLoads(X, Y, Z, qS * a.b * k.Cl, qS * a.c * k.Cm + a.arm * Z, qS * a.b * k.Cn - a.arm * Y)
+    L, M, N = qS * a.b * k.Cl, qS * a.c * k.Cm + a.arm * Z, qS * a.b * k.Cn - a.arm * Y
+    return AirLoads(X, Y, Z, L, M, N, 0.0, 0.0)
 
 
 def ends(a: TermAero) -> dict[str, tuple[float, float]]:

@@ -76,10 +76,10 @@ def turbofan_thrust(engine: Turbofan, mach: Number, h: Meter, power: Power) -> T
     dry = power.real < MILITARY
     other = grid_at(engine.idle if dry else engine.maximum, row, column)
     share = (MILITARY - power) / MILITARY if dry else (power - MILITARY) / MILITARY
-    return Thrust(military + share * (other - military), 0.0)
+    return Thrust(military + share * (other - military), 0.0, 0.0)
 
 
 def turbofan(engine: Turbofan, flow: Flow, h: Meter, throttle: Number, power: Power) -> Thrust:
     """Its thrust at that power, and how the power follows the throttle."""
     push = turbofan_thrust(engine, flow.mach, h, power)
-    return push._replace(power_dot=power_rate(engine.lag, power, commanded_power(engine, throttle)))
+    return Thrust(push.X, push.Z, power_rate(engine.lag, power, commanded_power(engine, throttle)))
