@@ -181,28 +181,76 @@ def test_engaged_in_flight_without_a_bump_and_flown_again_bit_for_bit(session: S
     np.testing.assert_array_equal(what_if(recorded).recording.data, recorded.data)
 
 
-def test_actuators_switched_in_flight_keep_the_state_and_begin_another_recording(
+def switched(session: Session, *, on: bool) -> Craft:
+    return obeying(session.flown, commands.UseActuators(on))
+
+
+def test_actuators_switched_in_flight_are_marked_in_the_recording_and_flown_again_bit_for_bit(
     session: Session, tmp_path: Path
 ) -> None:
-    session.start_recording()
+    name = session.start_recording()
     fly(session, 100)
-    before = session._sortie.frame.outputs
-    assert session.edit(obeying(A4D, commands.UseActuators(on=True)))
-    assert session.recording_name() is None
-    session.start_recording()
+    assert not session.edit(switched(session, on=True))
     fly(session, 100)
-    name = session.stop_recording()
-    assert not session.edit(A4D)
-    fly(session, 10)
+    assert not session.edit(with_law("yaw_damper gain=0.3; sensors lag=20ms delay=30ms", session.flown))
+    fly(session, 60)
+    session.reset()
+    fly(session, 60)
+    assert not session.edit(switched(session, on=False))
+    fly(session, 100)
+    assert session.stop_recording() == name
     wait_for_recordings()
     recorded = open_recording(tmp_path / f"{name}.fdes")
-    assert recorded.header["actuators"] is True
-    assert recorded["q"][0] == pytest.approx(before.q, abs=math.radians(0.2))
+    assert recorded.header["actuators"] is False
+    assert [edit["actuators"] for edit in recorded.edits if "actuators" in edit] == [True, True, False]
+    assert len(recorded.data) == 420
     assert type(session._sortie.frame.state) is type(A4D.start)
-    np.testing.assert_array_equal(what_if(recorded).recording.data, recorded.data)
+    again = what_if(recorded).recording
+    np.testing.assert_array_equal(again.data, recorded.data)
+    assert (again.edits, again.columns) == (recorded.edits, recorded.columns)
     shown = craft_of(name, recorded.header)
     assert shown is not None
-    assert shown.fit.control.actuators
+    assert not shown.fit.control.actuators
+
+
+def test_switching_actuators_moves_no_surface_by_more_than_they_do(session: Session, tmp_path: Path) -> None:
+    """On, they begin where the surfaces are; off, what they were behind the command is faded out."""
+    name = session.start_recording()
+    fly(session, 100)
+    session.edit(switched(session, on=True))
+    fly(session, 103)
+    behind = [
+        getattr(session._sortie.frame.command, s) - getattr(session._sortie.frame.outputs, s) for s in OF_SURFACES
+    ]
+    assert max(map(abs, behind)) > math.radians(0.5), "nothing to be seen here"
+    session.edit(switched(session, on=False))
+    fly(session, 101)
+    session.stop_recording()
+    wait_for_recordings()
+    recorded = open_recording(tmp_path / f"{name}.fdes")
+    rate = A4D.control["actuators"]["rate_limit"] / 120.0
+    for rate_of, angle in (("q", "theta"), ("p", "phi"), ("r", "psi")):
+        np.testing.assert_allclose(np.diff(recorded[angle])[98:], recorded[rate_of][98:-1] / 120.0, atol=1e-3)
+    for surface in OF_SURFACES:
+        flown = recorded[surface]
+        assert np.abs(np.diff(flown))[98:].max() <= rate + 1e-9, surface
+        np.testing.assert_allclose(flown[280:], recorded[f"command_{surface}"][279:-1], atol=1e-12)
+
+
+def test_what_if_with_actuators_on_a_recording_in_which_they_were_off(session: Session, tmp_path: Path) -> None:
+    name = session.start_recording()
+    fly(session, 60)
+    session.edit(switched(session, on=True))
+    fly(session, 60)
+    session.stop_recording()
+    wait_for_recordings()
+    recorded = open_recording(tmp_path / f"{name}.fdes")
+    on, off = (what_if(recorded, f"actuators={said}").recording for said in ("on", "off"))
+    assert np.abs(on["elevator"] - recorded["elevator"])[:60].max() > math.radians(0.2)
+    np.testing.assert_array_equal(off.data[:60, :20], recorded.data[:60, :20])
+    assert np.abs(off["elevator"] - off["held_elevator"]).max() == 0.0
+    with pytest.raises(SpecError, match="actuators=perhaps says neither on nor off"):
+        what_if(recorded, "actuators=perhaps")
 
 
 def test_another_aircraft_begins_without_a_law() -> None:

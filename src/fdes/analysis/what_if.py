@@ -16,11 +16,11 @@ from fdes.analysis.design import law_for
 from fdes.analysis.flown_plant import NONLINEAR, is_nonlinear, plant_in
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
-from fdes.flight.actuated import with_actuators
+from fdes.flight.actuated import recorded_type, with_actuators
 from fdes.flight.crossing import as_far
 from fdes.flight.header import condition_in
 from fdes.flight.recorder import columns_of
-from fdes.flight.reflight import Reflight, fly_again
+from fdes.flight.reflight import DEFLECTION, Reflight, fly_again
 from fdes.flight.response import NO_LIMITS
 from fdes.shelf import shelf
 
@@ -32,7 +32,9 @@ WORDS = (
     "form",
     "integrator",
     "law",
+    "actuators",
 )  # what can be put instead of what was flown
+SWITCHED = {"on": True, "off": False}
 OF_THE_AIRCRAFT = ("aircraft", "condition", "variant")
 
 
@@ -70,6 +72,8 @@ class Variation:
                 changes.append(part)
             elif name in instead:
                 raise SpecError(f"{text!r} says {name} twice.")
+            elif name == "actuators" and value not in SWITCHED:
+                raise SpecError(f"{part} says neither on nor off.")
             else:
                 instead[name] = value
         return cls(text, tuple(changes), instead)
@@ -114,6 +118,8 @@ class _Other:
         """The header of what is flown, where `recorded` was."""
         instead = self.variation.instead
         new = dict(recorded) | {key: instead[key] for key in ("plant", "form", "integrator", "law") if key in instead}
+        if "actuators" in instead:
+            new["actuators"] = SWITCHED[instead["actuators"]]
         if "plant" in instead and new["form"] == NONLINEAR:  # as `simulate` says it
             new["form"] = "full"
         if instead.keys() & set(OF_THE_AIRCRAFT):
@@ -172,17 +178,20 @@ def _begun_by(recording: Recording, other: _Other) -> Recording:
     if "trim" not in header and "h" in names:
         header["trim"] = {"V": condition_of(header).reference.V, "h": float(recording["h"][0])}
     before, after = setup_of(header).plant, other.setup(header).plant
-    own = [i for i, name in enumerate(names) if name.startswith("state_")]
     starts = [0, *(int(np.argmin(np.abs(recording["t"] - e["t"]))) for e in recording.edits if e.get("reset"))]
-    kind, columns = type(before.start()), columns_of(type(after.start()))
+    kind = type(before.start())
+    state = type(after.start())
+    columns = columns_of(recorded_type(state) if DEFLECTION in names else state)
+    own = [names.index(f"state_{name}") for name in kind._fields]
     data = np.zeros((len(recording.data), len(columns)))
     for k, column in enumerate(columns):
         if column.name in names and not column.name.startswith("state_"):
             data[:, k] = recording.data[:, names.index(column.name)]
-    new = [k for k, column in enumerate(columns) if column.name.startswith("state_")]
+    at = {column.name: k for k, column in enumerate(columns)}
     for row in starts:
-        data[row, new] = as_far(kind(*recording.data[row, own].tolist()), before, after, before.trim())
-    data[:, [c.name for c in columns].index("stick_throttle")] += after.trim().throttle - before.trim().throttle
+        x = as_far(kind(*recording.data[row, own].tolist()), before, after, before.trim())
+        data[row, [at[f"state_{name}"] for name in x._fields]] = x
+    data[:, at["stick_throttle"]] += after.trim().throttle - before.trim().throttle
     return replace(recording, header=header, columns=columns, data=data)
 
 

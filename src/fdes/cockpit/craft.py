@@ -71,6 +71,7 @@ class Craft:
         return {
             "changes": [str(change) for change in self.condition.changes],
             "law": self.fit.control.law,
+            "actuators": self.fit.control.actuators,
         } | self._plant_note()
 
     def _plant_note(self) -> dict[str, Any]:

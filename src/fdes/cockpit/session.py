@@ -18,6 +18,7 @@ from fdes.cockpit.sortie import AGAIN, Sortie, open_recorder
 from fdes.control import Stick
 from fdes.errors import SpecError
 from fdes.flight import Excitation, Recorder
+from fdes.flight.crossing import crosses
 
 EVERY_MOVING, EVERY_STILL = 2, 12  # ticks from frame to frame on the wire: 60 Hz, and 10 Hz while nothing moves
 OUTSIDE_ANGLE = radians(15.0)  # Mansor and Perumal: how far small perturbations may be believed
@@ -188,16 +189,16 @@ class Session:
     def edit(self, craft: Craft) -> bool:
         """Fly on as `craft`, the same aircraft with other changes or another law, from the next frame on.
 
-        True when another recording should begin: with plant or actuators switched there are other columns to record.
+        True when another recording should begin: the other plant has other columns to record.
         Raises SpecError.
         """
         with self._lock:
             if self._replay is not None:
                 raise SpecError("A recording is being replayed: end the replay before you edit the aircraft.")
-            other = type(craft.start) is not type(self._sortie.craft.start)
+            other = crosses(self._sortie.craft.setup.plant, craft.setup.plant)
             again = other and self._sortie.recorder is not None
             if again:
-                self._sortie.release("plant or actuators switched")
+                self._sortie.release("plant switched")
             self._sortie.craft = craft
             self._show = self.changed = True
             return again

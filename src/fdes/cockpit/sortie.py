@@ -17,6 +17,7 @@ from fdes.cockpit.wire import Input
 from fdes.control import Stick
 from fdes.errors import Departed, FdesError, SpecError
 from fdes.flight import Edit, Excitation, Frame, GustyAir, Recorder, fly
+from fdes.flight.actuated import recorded_type, surfaces_left
 from fdes.flight.crossing import anew, can_carry, carried, crosses
 from fdes.flight.excitation import NO_GUSTS, Gusts
 from fdes.flight.inputs.step import Step
@@ -188,10 +189,8 @@ class Sortie:
         """
         aloft, now = self._aloft, self.craft
         switched = crosses(aloft.setup.plant, now.setup.plant)
-        before, after = self._aloft.setup.law, self.craft.setup.law
-        if edit.state is None and after != before:
-            fading = self._fading(self.frame.t)
-            self._fading = handover(self.frame, before, after, fading, self.craft.clock.dt)
+        if edit.state is not None:
+            edit = edit._replace(state=now.start)
         self._aloft, self.announced = now, True
         note = {**edit.note, **now.setup_note()}
         said = note.get("disturb")
@@ -205,15 +204,24 @@ class Sortie:
             self.notice = TOO_FAR
             edit = edit._replace(state=anew(self.frame.state, aloft.setup.plant, plant))
             note["reset"] = True
-        begun = edit.state is not None
+        begun, before = edit.state is not None, aloft.setup.law
         if switched:
             self._rest = self._rest._replace(throttle=now.trim_throttle)
 
         def refit(x: Any) -> Any:
-            here = x if begun else carried(x, aloft.setup.plant, plant, surfaces)
+            if begun:
+                here = x
+            else:
+                here, left = carried(x, aloft.setup.plant, plant, surfaces), surfaces_left(x, plant, surfaces)
+                if law != before or left != surfaces:
+                    fading = self._fading(self.frame.t)
+                    self._fading = handover(self.frame, before, law, fading, now.clock.dt, left)
             return disturbed(here, [] if said is None else [said])
 
-        return edit._replace(plant=plant, law=law, disturb=refit, note=note)
+        def left(x: Any, held: Surfaces) -> Surfaces:
+            return surfaces_left(x, plant, held)
+
+        return edit._replace(plant=plant, law=law, disturb=refit, left=left, note=note)
 
     def _record(self, frame: Frame) -> None:
         recorder = self.recorder
@@ -241,6 +249,6 @@ def open_recorder(folder: Path, craft: Craft) -> Recorder:
     names = (stem if number == 1 else f"{stem}_{number}" for number in count(1))
     while True:
         try:
-            return Recorder(folder / f"{next(names)}{SUFFIX}", type(craft.start), craft.header())
+            return Recorder(folder / f"{next(names)}{SUFFIX}", recorded_type(type(craft.start)), craft.header())
         except FileExistsError:  # another session began within this second
             continue

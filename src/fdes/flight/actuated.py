@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, Protocol, get_type_hints
 
 from fdes.aircraft import FlightCondition
 from fdes.errors import SpecError
-from fdes.flight.simulation import Plant
+from fdes.flight.simulation import Frame, Plant
 from fdes.physics.actuators import Actuator, Actuators, Deflections, derivative, positions, settled
 from fdes.physics.runge_kutta import Tableau, Vector, step
 from fdes.physics.signals import Air, Outputs, Surfaces
@@ -129,6 +129,16 @@ def fitted(x: Any, plant: Plant, surfaces: Surfaces) -> Any:
     return plant_type(type(x))(*x[:-MOVED]) if type(x) in _PLANT else x
 
 
+def surfaces_left(x: Any, plant: Plant, held: Surfaces) -> Surfaces:
+    """Where the surfaces are [rad] in state `x` as `plant` takes over: where its actuators, taken away, have left them.
+
+    Else as they are `held`.
+    """
+    if isinstance(plant, WithActuators) or type(x) not in _PLANT:
+        return held
+    return positions(Deflections(*x[-MOVED:]), held.throttle)
+
+
 _PLANT: dict[type, type] = {}  # of each state with actuators, the state without; filled by `state_type` alone
 
 
@@ -144,3 +154,18 @@ def state_type(plant: type) -> Any:
 def plant_type(actuated: type) -> Any:
     """The plant's own state type, of one that `state_type` made."""
     return _PLANT[actuated]
+
+
+def recorded_type(state: type) -> Any:
+    """The state of a plant, with or without actuators, as a recording has it in which they can be switched in flight.
+
+    That is with deflections; without actuators the surfaces are where they were observed to be, and have no rate.
+    """
+    return state if state in _PLANT else state_type(state)
+
+
+def recorded_state(frame: Frame) -> tuple[float, ...]:
+    """The state of `frame`, and where the surfaces are, in the order of `recorded_type`."""
+    x: tuple[float, ...] = frame.state
+    y = frame.outputs
+    return x if type(x) in _PLANT else (*x, y.elevator, 0.0, y.aileron, 0.0, y.rudder, 0.0)

@@ -25,6 +25,7 @@ from typing import Any, BinaryIO
 
 from fdes import __version__
 from fdes.control import Stick
+from fdes.flight.actuated import recorded_state
 from fdes.flight.simulation import Frame
 from fdes.physics.signals import Air, Channel, Outputs, Surfaces, channels
 
@@ -51,8 +52,9 @@ def columns_of(state: type) -> tuple[Channel, ...]:
     )
 
 
-def row_of(frame: Frame) -> tuple[float, ...]:
-    """A frame as one row of those columns."""
+def row_of(frame: Frame, state: type | None = None) -> tuple[float, ...]:
+    """A frame as one row of those columns; with the deflections of the surfaces where `state` has them."""
+    x = frame.state if state is None or state is type(frame.state) else recorded_state(frame)
     return (
         frame.t,
         *frame.outputs,
@@ -60,7 +62,7 @@ def row_of(frame: Frame) -> tuple[float, ...]:
         *frame.excitation,
         *frame.held,
         *frame.command,
-        *frame.state,
+        *x,
         *frame.air,
     )
 
@@ -74,8 +76,11 @@ class Recorder:
     """Writes frames to a file from a thread of its own, so that flying never waits for a disk."""
 
     def __init__(self, path: Path, state: type, header: dict[str, Any]) -> None:
-        """Start a recording at `path`, which must not exist. `header` says what is flown; it must be JSON."""
-        self.path = path
+        """Start a recording at `path`, which must not exist. `header` says what is flown; it must be JSON.
+
+        `state` is what the plant's state is, or `recorded_type` of it where actuators may be switched in flight.
+        """
+        self.path, self._state = path, state
         columns = columns_of(state)
         self._row = struct.Struct(f"<{len(columns)}d")
         self._waiting: deque[Frame] = deque()
@@ -133,7 +138,7 @@ class Recorder:
                 rows = []
                 self._file.write(chunk(b"EDIT", json.dumps({"t": frame.t, **note}).encode()))
             self._written += 1
-            rows.append(self._row.pack(*row_of(frame)))
+            rows.append(self._row.pack(*row_of(frame, self._state)))
         self._put(rows)
         self._file.flush()
 

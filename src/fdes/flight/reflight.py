@@ -14,10 +14,11 @@ from fdes import __version__
 from fdes.control import Stick
 from fdes.control.blocks import Past
 from fdes.errors import Departed, RecordingError
+from fdes.flight.actuated import WithActuators, fitted, plant_type, recorded_type, surfaces_left
 from fdes.flight.recorder import ENGINE, columns_of, row_of
 from fdes.flight.recording import Recording
 from fdes.flight.response import disturbed
-from fdes.flight.simulation import Clock, Edit, Frame, Setup, fly
+from fdes.flight.simulation import Clock, Edit, Frame, Plant, Setup, fly
 from fdes.physics.signals import Air, Outputs, Surfaces, channels
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 Record = TypeVar("Record")
 
 SHOWN = 4  # of the columns that are lacking
+DEFLECTION = "state_elevator_position"  # a recording that has it has those of all surfaces, and their rates
 OF_THE_FRAME = {"t", "reset", "disturb", "memory"}  # in the note of an edit; all else says what flies from then on
 
 Remake = Callable[[Mapping[str, Any]], Setup]
@@ -52,29 +54,33 @@ def fly_again(recording: Recording, remake: Remake, relabel: Relabel = dict) -> 
     first = edits.pop(float(table.t[0]), {})
     header |= _setup_in(first)
     setup = remake(header)
-    start = _like(setup.plant.start(), table.row("state_", 0))
     stick = table.stick(0)
     air = table.row("air_", 0)
     held = Surfaces(*table.row("held_", 0))
+    start = table.state(0, setup.plant)
     y = setup.plant.observe(start, held, Air(*air))
     fresh = setup.law.start(y, stick)
     memory = _like(fresh, first["memory"]) if "memory" in first and _same_shape(fresh, first["memory"]) else fresh
     after = Frame(0.0, stick, Surfaces(), held, held, start, Air(*air), y, memory, None)
 
-    now = dict(header)
+    now, flying = dict(header), setup
+    kind = recorded_type(type(start)) if _has_actuators(recording, setup.plant) else type(start)
 
     def edit(t: float) -> Edit | None:
+        nonlocal flying
         note = edits.get(t)
         if note is None:
             return None
-        now.update(_setup_in(note))
-        plant, law = remake(now) if _setup_in(note) else (None, None)
-        text = note.get("disturb")
+        if _setup_in(note):
+            now.update(_setup_in(note))
+            flying = remake(now)
+        (plant, law), held, text = flying, after.command, note.get("disturb")
         return Edit(
             plant=plant,
             law=law,
-            state=_like(start, table.row("state_", table.at(t))) if note.get("reset") else None,
-            disturb=None if text is None else lambda x: disturbed(x, [text]),
+            state=table.state(table.at(t), plant) if note.get("reset") else None,
+            disturb=lambda x: disturbed(fitted(x, plant, held), [] if text is None else [text]),
+            left=lambda x, held: surfaces_left(x, plant, held),
             note={key: value for key, value in note.items() if key != "t"},
         )
 
@@ -93,15 +99,22 @@ def fly_again(recording: Recording, remake: Remake, relabel: Relabel = dict) -> 
             after,
         )
         for frame in flight:
-            frames.append(row_of(frame))
+            after = frame
+            frames.append(row_of(frame, kind))
             if frame.edit is not None:
                 notes.append({"t": frame.t, **frame.edit.note})
     except Departed as ending:
         departed = str(ending)
     data = np.array(frames).reshape(len(frames), -1)
-    columns = columns_of(type(start))
+    columns = columns_of(kind)
     flown = relabel(header) | {"engine": ENGINE, "fdes": __version__, "columns": [c._asdict() for c in columns]}
     return Reflight(Recording(flown, columns, data, tuple(notes), complete=departed is None), departed)
+
+
+def _has_actuators(recording: Recording, plant: Plant) -> bool:
+    """Whether the surfaces have states of their own, at the start or after an edit, or were recorded as if."""
+    said = any(edit.get("actuators") for edit in recording.edits)
+    return said or isinstance(plant, WithActuators) or DEFLECTION in [c.name for c in recording.columns]
 
 
 def _setup_in(note: Mapping[str, Any]) -> dict[str, Any]:
@@ -129,8 +142,9 @@ class _Table:
         if not np.array_equal(self.t, np.array(list(self.clock))):
             raise RecordingError(f"The recording cannot be flown again: its frames are not {dt:g} s apart throughout.")
         self._rows: list[list[float]] = recording.data.tolist()
-        prefixes = ("stick_", "excitation_", "held_", "state_", "air_")
+        prefixes = ("stick_", "excitation_", "held_", "air_")
         self._columns = {prefix: [i for i, n in enumerate(names) if n.startswith(prefix)] for prefix in prefixes}
+        self._states = {n.removeprefix("state_"): i for i, n in enumerate(names) if n.startswith("state_")}
 
     def at(self, t: float) -> int:
         """The row of time `t`."""
@@ -140,6 +154,20 @@ class _Table:
         """The columns that begin with `prefix`, in row `k`."""
         row = self._rows[k]
         return [row[i] for i in self._columns[prefix]]
+
+    def state(self, k: int, plant: Plant) -> Any:
+        """The state of `plant` in row `k`; actuators that were not recorded are at rest there.
+
+        Raises RecordingError where the row has no state of such a plant.
+        """
+        kind, row = type(plant.start()), self._rows[k]
+        known = all(name in self._states for name in kind._fields)
+        wanted = kind if known or not isinstance(plant, WithActuators) else plant_type(kind)
+        lacking = next((name for name in wanted._fields if name not in self._states), None)
+        if lacking:
+            raise RecordingError(f"The recording cannot be flown again: it lacks state_{lacking}.")
+        x = wanted(*(row[self._states[name]] for name in wanted._fields))
+        return fitted(x, plant, Surfaces(*self.row("held_", k)))
 
     def stick(self, k: int) -> Stick:
         """The stick in row `k`."""

@@ -61,13 +61,15 @@ class Setup(NamedTuple):
 class Edit(NamedTuple):
     """A change at a frame boundary. What is None stays; `note` is what the recording says of it.
 
-    `state` begins the flight anew from there, surfaces at trim; `disturb` changes the state that is.
+    `state` begins the flight anew from there, surfaces at trim; `disturb` changes the state that is. `left` says of the
+    state before that and of the surfaces held until now where the surfaces are.
     """
 
     plant: Plant | None = None
     law: Law | None = None
     state: Any = None
     disturb: Callable[[Any], Any] | None = None
+    left: Callable[[Any, Surfaces], Surfaces] | None = None
     note: Mapping[str, Any] = MappingProxyType({})
 
 
@@ -172,6 +174,8 @@ def fly(
             plant, law = edit.plant or plant, edit.law or law
             if edit.state is not None:
                 x, held = edit.state, plant.trim()
+            if edit.left is not None:
+                held = edit.left(x, held)
             if edit.disturb is not None:
                 x = edit.disturb(x)
             y = plant.observe(x, held, air)
