@@ -10,6 +10,7 @@ from fdes.analysis.level_flight import (
     Craft,
     largest_lift,
     level_speeds,
+    reach_of,
     stall,
     steady_climb,
 )
@@ -22,12 +23,13 @@ from fdes.analysis.maneuver import (
 )
 from fdes.analysis.performance import ALL, Performance, Wanted, craft_of, performance
 from fdes.analysis.trim import TrimSpec, solve
+from fdes.analysis.v_n import fallen, lift_slope, load_factors
 from fdes.errors import NoSuchPart
 from fdes.flight.nonlinear import six_dof_of
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Air
-from fdes.units import FOOT
+from fdes.units import FOOT, KNOT, POUND_FORCE
 
 G = 9.80665
 NAVION = load("NAVION").at()
@@ -93,24 +95,25 @@ def test_least_drag_is_where_the_polar_says() -> None:
     found = performance(PLAIN_NAVION)
     CD_0, K, loading, rho = polar(plant, 0.0)
     V = math.sqrt(2.0 * loading / rho * math.sqrt(K / CD_0))
-    assert found.figure("least drag").value == pytest.approx(V, rel=0.01)
+    assert pytest.approx(V, rel=0.01) == found.figure("least thrust").V
     assert found.figure("weight over least thrust").value == pytest.approx(0.5 / math.sqrt(K * CD_0), rel=0.01)
 
 
 def test_the_elevator_takes_lift_off_in_trim(navion: Performance) -> None:
     """What the plain polar does not know: the wing carries the elevator's part too, and the best speed rises."""
-    k = NAVION.coefficients
+    k, plain = NAVION.coefficients, performance(PLAIN_NAVION)
     lost = k.CL_de * k.Cm_alpha / (k.Cm_de * k.CL_alpha)
-    assert lost == pytest.approx(0.063, abs=0.001)
-    plain = performance(PLAIN_NAVION)
-    assert 1.02 < navion.figure("least drag").value / plain.figure("least drag").value < 1.04
+    speeds = [found.figure("least thrust").V or 0.0 for found in (navion, plain)]
+    assert speeds[0] / speeds[1] == pytest.approx(1.0 + 0.5 * lost, abs=0.01)
     assert navion.figure("weight over least thrust").value < plain.figure("weight over least thrust").value
 
 
 def test_least_power_of_a_wing_far_from_its_stall() -> None:
     """At 3^(-1/4) of the speed of least drag: Anderson, eq. 5.41."""
     found = performance(load("A-4D").at(), Wanted(h=6000.0))
-    assert found.figure("least power").value == pytest.approx(3.0**-0.25 * found.figure("least drag").value, rel=0.01)
+    drag, power = found.figure("least thrust").V, found.figure("least power").V
+    assert drag is not None
+    assert power == pytest.approx(3.0**-0.25 * drag, rel=0.01)
 
 
 def test_fastest_is_where_thrust_is_drag() -> None:
@@ -153,7 +156,7 @@ def test_a_navion_climbs_as_published() -> None:
     Its power and propeller are assumed; the polar, that of the book at one condition, costs it a tenth of the speed.
     """
     found = performance(NAVION)
-    assert found.figure("largest specific excess power").value == pytest.approx(1110.0 * FOOT / 60.0, rel=0.05)
+    assert found.figure("specific excess power").value == pytest.approx(1110.0 * FOOT / 60.0, rel=0.05)
     assert found.figure("service ceiling").value == pytest.approx(15600.0 * FOOT, rel=0.05)
     assert found.figure("fastest").value == pytest.approx(163.0 * 1609.344 / 3600.0, rel=0.12)
 
@@ -210,3 +213,104 @@ def test_the_f16_stays_within_the_tables_of_its_engine() -> None:
 def test_what_is_not_a_figure() -> None:
     with pytest.raises(NoSuchPart, match="service ceiling"):
         performance(NAVION).figure("service celing")
+
+
+def test_a_turn_kept_up_is_that_of_the_polar() -> None:
+    """n^2 = q S (T - q S CD_0) / (K W^2): Anderson, eq. 6.17. Thrust carries the rest."""
+    plain = edited(load("A-4D").at(), ["CL_de=0", "CL_q=0"])
+    plant = six_dof_of(plain)
+    found = performance(plain)
+    CD_0, K, loading, rho = polar(plant, 0.0)
+    V, n = found.turn["V"].values, found.turn["n_sustained"].values
+    q = 0.5 * rho * V**2
+    thrust = plant.engine.T_max / plant.aero.S
+    expected = (q * (thrust - q * CD_0) / (K * loading**2)) ** 0.5
+    slow, fast = 20, 41
+    assert n[slow:fast] == pytest.approx(expected[slow:fast], rel=0.015)
+
+
+def test_rate_and_radius_are_those_of_a_circle(navion: Performance) -> None:
+    turn = navion.turn
+    V, n = turn["V"].values, turn["n"].values
+    assert turn["radius"].values == pytest.approx(V**2 / (G * (n**2 - 1.0) ** 0.5))
+    assert turn["rate"].values * turn["radius"].values == pytest.approx(V)
+
+
+def test_the_turn_of_an_instant_is_that_of_the_largest_lift() -> None:
+    """n = rho V^2 S CL_max / (2 W) where no elevator and no thrust add lift: at its corner and below."""
+    plain = edited(load("B747").at(), ["CL_de=0", "CL_q=0", "CL_M=0", "T_max*=0.5"])
+    plant = six_dof_of(plain)
+    found = performance(plain)
+    _, _, loading, rho = polar(plant, 0.0)
+    corner = found.figure("corner speed").value
+    lift = 0.5 * rho * corner**2 * plant.aero.CL_max / loading
+    assert lift == pytest.approx(found.figure("largest load factor").value, rel=0.02)
+
+
+def test_the_corner_is_where_lift_meets_structure(navion: Performance) -> None:
+    turn, corner = navion.turn, navion.figure("corner speed").value
+    limited = turn["n"].values >= navion.figure("largest load factor").value
+    assert (turn["V"].values[limited] >= 0.999 * corner).all()
+    assert (turn["V"].values[~limited] < corner).all()
+    rate = navion.figure("instantaneous turn rate")
+    assert pytest.approx(corner, rel=0.02) == rate.V
+
+
+@pytest.mark.parametrize(
+    ("airplane_class", "pounds", "n_max", "n_min"),
+    [("I", 2750, 3.8, -1.52), ("I", 12500, 2.1 + 24000 / 22500, -0.4 * (2.1 + 24000 / 22500)),
+     ("III", 636600, 2.5, -1.0), ("II-L", 38204, 2.1 + 24000 / 48204, -1.0), ("IV", 17578, 6.5, -3.0)],
+)  # fmt: skip
+def test_load_factors_of_the_rules(airplane_class: str, pounds: float, n_max: float, n_min: float) -> None:
+    assert load_factors(airplane_class, pounds * POUND_FORCE)[:2] == pytest.approx((n_max, n_min))
+
+
+def test_a_gust_in_the_units_of_the_rule(navion: Performance) -> None:
+    """FAR 23.341(c) as printed: n = 1 + K_g U_de V a / (498 W/S), in ft/s, kt, 1/rad and lb/ft^2."""
+    ref, a = NAVION.reference, NAVION.coefficients.CL_alpha
+    loading = ref.m * G / ref.S * FOOT**2 / POUND_FORCE
+    mu = 2.0 * loading / (0.0023769 * ref.c / FOOT * a * 32.174)
+    alleviated = 0.88 * mu / (5.3 + mu)
+    for name, gust in (("V_C", 50.0), ("V_D", 25.0)):
+        V = navion.figure(name).value / KNOT
+        n = 1.0 + alleviated * gust * V * a / (498.0 * loading)
+        assert navion.figure(f"load factor of a gust at {name}").value == pytest.approx(n, rel=0.002)
+
+
+def test_gusts_fall_with_height() -> None:
+    """FAR 23.333(c): 50 ft/s at V_C to 20,000 ft, then straight to 25 ft/s at 50,000 ft."""
+    of = [fallen(50.0, h * FOOT) for h in (0.0, 20000.0, 35000.0, 50000.0, 60000.0)]
+    assert of == pytest.approx([50.0, 50.0, 37.5, 25.0, 25.0])
+
+
+def test_the_lift_slope_is_that_of_the_file() -> None:
+    asked = craft("B747")
+    speeds = level_speeds(asked, largest_lift(asked), 0.0)
+    assert speeds is not None
+    assert lift_slope(asked, speeds.line[20]) == pytest.approx(load("B747").at().coefficients.CL_alpha, rel=1e-9)
+
+
+def test_the_maneuver_boundary(navion: Performance) -> None:
+    """From V_A on it is the structure's; below, n grows as the square of the speed, from 1 at V_S; it closes at V_D."""
+    bounds = navion.v_n
+    V, up = bounds["V"].values, bounds["n_upper"].values
+    V_S, V_A = navion.figure("V_S").value, navion.figure("V_A").value
+    assert up[V > V_A] == pytest.approx(3.8)
+    assert up[V < V_A] == pytest.approx((V[V < V_A] / V_S) ** 2, rel=0.03)
+    assert pytest.approx(V_S * math.sqrt(3.8), rel=0.03) == V_A
+    assert bounds["n_lower"].values[-1] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_load_factors_that_are_asked_for() -> None:
+    found = performance(load("F-16").at(), Wanted(n_max=9.0, n_min=-3.0))
+    assert found.figure("largest load factor") == ("largest load factor", 9.0, "1", None, "asked for")
+    assert float(found.v_n["n_upper"].max()) == 9.0
+    assert float(found.turn["n"].max()) == 9.0
+
+
+def test_across_mach_reaches_from_the_slowest_to_the_fastest_condition() -> None:
+    alone, both = load("A-4D").at(), load("A-4D").at(across="mach")
+    assert reach_of(alone).slow == 0.0
+    assert reach_of(both).slow == 0.0
+    assert reach_of(load("A-4D").at("M0.8_35kft")).slow > 0.0
+    assert performance(both, Wanted(h=8000.0)).figure("fastest").value > 200.0

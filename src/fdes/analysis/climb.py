@@ -4,8 +4,8 @@ Reference: J. D. Anderson, Aircraft Performance and Design, McGraw-Hill 1999, se
 """
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -33,28 +33,30 @@ UP: Meter = 2000.0  # from height to height, where the search for a ceiling goes
 WITHIN: Meter = 2.0
 HEIGHTS = 15  # between sea level and the ceiling
 SEARCHED = 12  # speeds
+FINE = 1e-3  # of a speed
 MUCH = 1e-6  # of a rate of climb: what differs by less is the same
 
 
 @dataclass(frozen=True)
 class BestClimbs:
-    """The steady climbs at full throttle from one height that gain height fastest and steepest; None: straight up."""
+    """The steady climbs at full throttle from one height that gain height fastest and steepest."""
 
-    fastest: Maneuver | None
-    steepest: Maneuver | None
+    fastest: Maneuver
+    steepest: Maneuver
 
 
 @dataclass(frozen=True)
 class AtHeight:
     """What one height allows. excess [m/s] is the largest specific excess power, at the speed `V_climb`.
 
-    speeds: None above the absolute ceiling.
+    tried: speeds, and the specific excess power at each. speeds: None above the absolute ceiling.
     """
 
     h: Meter
     V_stall: MeterPerSecond
     V_climb: MeterPerSecond
     excess: MeterPerSecond
+    tried: tuple[tuple[float, float], ...]
     speeds: Speeds | None
 
 
@@ -67,13 +69,25 @@ class Ceiling:
     limit: str
 
 
-def best_climbs(craft: Craft, speeds: Speeds) -> BestClimbs:
-    """Of all speeds of level flight at one height."""
-    climbs = [steady_climb(craft, m) for m in speeds.line]
-    if any(m is None for m in climbs):
-        return BestClimbs(None, None)
-    found = [m for m in climbs if m is not None]
-    return BestClimbs(max(found, key=rate_of_climb), max(found, key=lambda m: m.gamma))
+def best_climbs(craft: Craft, speeds: Speeds) -> BestClimbs | None:
+    """Of all speeds of level flight at one height; None where thrust is more than weight and drag at one of them."""
+    climbs = [m for m in (steady_climb(craft, m) for m in speeds.line) if m is not None]
+    if len(climbs) < len(speeds.line):
+        return None
+
+    def refined(k: int, gain: Callable[[Maneuver], float]) -> Maneuver:
+        near = speeds.line[k]
+
+        def at(V: float) -> float:
+            found = steady_climb(craft, near._replace(V=V))
+            return -math.inf if found is None else gain(found)
+
+        V = best(at, speeds.line[max(k - 1, 0)].V, speeds.line[min(k + 1, len(climbs) - 1)].V, FINE)
+        return steady_climb(craft, near._replace(V=V)) or climbs[k]
+
+    fastest = max(range(len(climbs)), key=lambda k: rate_of_climb(climbs[k]))
+    steepest = max(range(len(climbs)), key=lambda k: climbs[k].gamma)
+    return BestClimbs(refined(fastest, rate_of_climb), refined(steepest, lambda m: m.gamma))
 
 
 def rate_of_climb(m: Maneuver) -> MeterPerSecond:
@@ -98,8 +112,9 @@ def best_excess(craft: Craft, lift: Lift, h: Meter) -> AtHeight | None:
         return None
     k = max(range(len(near)), key=lambda k: near[k].V * near[k].V_dot)
     low, high = near[max(k - 1, 0)].V, near[min(k + 1, len(near) - 1)].V
-    V = best(lambda V: excess_power(craft, near[k], V), low, high, 1e-3)
-    return AtHeight(h, stalled[0].V, V, excess_power(craft, near[k], V), None)
+    V = best(lambda V: excess_power(craft, near[k], V), low, high, FINE)
+    tried = tuple((m.V, m.V * m.V_dot / craft.plant.earth.g) for m in near)
+    return AtHeight(h, stalled[0].V, V, excess_power(craft, near[k], V), tried, None)
 
 
 def ceiling(craft: Craft, lift: Lift, climb: MeterPerSecond, low: Meter = 0.0) -> Ceiling | None:
@@ -137,7 +152,7 @@ def over_height(craft: Craft, lift: Lift, top: Meter, count: int = HEIGHTS) -> l
         found = best_excess(craft, lift, h)
         if found is not None:
             speeds = level_speeds(craft, lift, h, COARSE)
-            rows.append(AtHeight(h, found.V_stall, found.V_climb, found.excess, speeds))
+            rows.append(replace(found, speeds=speeds))
     return rows
 
 

@@ -29,10 +29,11 @@ from fdes.errors import SpecError
 from fdes.flight.table_ends import table_ends
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.plant import SixDof
-from fdes.units import DEG, Meter, MeterPerSecond, Number, Radian
+from fdes.units import DEG, Meter, Meter2, MeterPerSecond, Number, Radian
 
 SUBSONIC: Number = 0.95  # Mach number up to which derivatives of a subsonic condition are used; assumed
 SUPERSONIC: Number = 1.2  # and from which those of a supersonic one are; assumed
+FASTER = 1.15  # of its Mach number: how far the derivatives of a faster condition are used; assumed
 SHARE = 0.25  # of the lift and drag of the condition: by more, derivatives with Mach may not change them; assumed
 STEEPEST = 45.0 * DEG  # angle of attack, where the search for the largest lift ends
 STEP = 1.0 * DEG  # of that search
@@ -53,7 +54,10 @@ class Reach(NamedTuple):
 
 
 class Craft(NamedTuple):
-    """What performance is asked of: a plant, with its throttle at most `full`, where its data reach."""
+    """What performance is asked of: a plant, its throttle at most `full`, where its data reach; V, h: of its condition.
+
+    S, c: of the wing.
+    """
 
     plant: SixDof
     reach: Reach
@@ -61,6 +65,8 @@ class Craft(NamedTuple):
     V: MeterPerSecond
     h: Meter
     alpha_max: Radian
+    S: Meter2
+    c: Meter
 
     def first(self, V: MeterPerSecond, h: Meter, throttle: Number) -> Maneuver:
         """Where a search begins."""
@@ -91,20 +97,9 @@ class Speeds:
 
 def reach_of(condition: FlightCondition, slowest: Number | None = None, fastest: Number | None = None) -> Reach:
     """Where the data of that condition are believed, or what is asked for. Raises SpecError where nothing is left."""
-    mach, k = condition.reference.mach, condition.coefficients
-    slow, why_slow = (SUPERSONIC, "its derivatives are supersonic") if mach >= SUPERSONIC else (0.0, "")
-    fast, why_fast = math.inf, "no speed is known beyond"
-    if mach < SUBSONIC:
-        fast, why_fast = SUBSONIC, "its data know no transonic drag"
-    if not condition.tables:
-        for name, slope, whole in (("CD_M", k.CD_M, k.CD), ("CL_M", k.CL_M, k.CL)):
-            far = SHARE * whole / abs(slope) if slope else math.inf
-            if mach + far < fast:
-                fast, why_fast = mach + far, f"{name} may not be carried further from Mach {mach:g}"
-            if mach - far > slow:
-                slow, why_slow = mach - far, f"{name} may not be carried further from Mach {mach:g}"
-    if math.isinf(fast):
-        fast, why_fast = 1.25 * mach, f"its derivatives are those of Mach {mach:g}"
+    by_mach = sorted([condition, *condition.across], key=lambda c: c.reference.mach)
+    slow, _, why_slow, _ = _reach_alone(by_mach[0])
+    _, fast, _, why_fast = _reach_alone(by_mach[-1])
     if slowest is not None:
         slow, why_slow = slowest, "no slower was asked for"
     if fastest is not None:
@@ -114,6 +109,23 @@ def reach_of(condition: FlightCondition, slowest: Number | None = None, fastest:
             f"Performance from Mach {slow:.3g} to Mach {fast:.3g} is asked for: the first must be the smaller."
         )
     return Reach(slow, fast, f"Mach {slow:.3g}: {why_slow}", f"Mach {fast:.3g}: {why_fast}")
+
+
+def _reach_alone(condition: FlightCondition) -> Reach:
+    mach, k = condition.reference.mach, condition.coefficients
+    slow, why_slow = (SUPERSONIC, "its derivatives are supersonic") if mach >= SUPERSONIC else (0.0, "")
+    fast, why_fast = SUBSONIC, "its data know no transonic drag"
+    if mach >= SUBSONIC:
+        fast, why_fast = FASTER * mach, f"its derivatives are those of Mach {mach:g}"
+    if not condition.tables:
+        for name, slope, whole in (("CD_M", k.CD_M, k.CD), ("CL_M", k.CL_M, k.CL)):
+            far = SHARE * whole / abs(slope) if slope else math.inf
+            why = f"{name} may not be carried further from Mach {mach:g}"
+            if mach + far < fast:
+                fast, why_fast = mach + far, why
+            if mach - far > slow:
+                slow, why_slow = mach - far, why
+    return Reach(slow, fast, why_slow, why_fast)
 
 
 def largest_lift(craft: Craft, sign: float = 1.0) -> Lift:

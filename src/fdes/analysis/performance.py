@@ -1,4 +1,4 @@
-"""What an aircraft can do: range of speeds, climb and ceiling, from steady flights of the nonlinear plant.
+"""What an aircraft can do: speeds, climb, ceiling, turns and the V-n diagram, from flights of the nonlinear plant.
 
 Results are figures with their units and what limits them, and labeled tables. What no source says is in `notes`.
 
@@ -15,31 +15,32 @@ from typing import TYPE_CHECKING, NamedTuple
 from fdes.aircraft import FlightCondition
 from fdes.analysis.climb import (
     SERVICE,
-    AtHeight,
     Ceiling,
     best_climbs,
+    best_excess,
     ceiling,
     highest,
     over_height,
     rate_of_climb,
-    times_to_climb,
 )
 from fdes.analysis.level_flight import (
     STEEPEST,
     Craft,
     Lift,
     Speeds,
-    excess_power,
     largest_lift,
     least,
     level_speeds,
     reach_of,
 )
 from fdes.analysis.maneuver import thrust_in
+from fdes.analysis.performance_tables import excess_table, height_table, level_table, turn_table, vn_table
+from fdes.analysis.turning import Turn, corner, radius_of, rate_of, tightest_of, turns
+from fdes.analysis.v_n import VnDiagram, structure_of, vn_diagram
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.nonlinear import assumptions, six_dof_of
 from fdes.physics.plant import SixDof
-from fdes.units import Meter, Number, Radian
+from fdes.units import FOOT, Meter, MeterPerSecond, Number, Radian
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -53,14 +54,17 @@ class Wanted(NamedTuple):
     slowest: Number | None = None
     fastest: Number | None = None
     alpha_max: Radian = STEEPEST
+    n_max: Number | None = None
+    n_min: Number | None = None
 
 
 class Figure(NamedTuple):
-    """One result [SI unit]; `limit` is what makes it so, in words, where that is not the name itself."""
+    """One result [SI unit], the airspeed [m/s] at which it is, and what makes it so, in words."""
 
     name: str
     value: float
     unit: str
+    V: float | None = None
     limit: str = ""
 
 
@@ -68,7 +72,7 @@ class Figure(NamedTuple):
 class Performance:
     """The figures by subject, and the tables they are from.
 
-    level: over true airspeed at `h`. heights: from sea level to the absolute ceiling, or where the data end.
+    level, turn, v_n: over airspeed at `h`. heights, excess: from sea level to the absolute ceiling, or where data end.
     """
 
     condition: FlightCondition
@@ -76,6 +80,10 @@ class Performance:
     figures: Mapping[str, Sequence[Figure]]
     level: "xr.Dataset"
     heights: "xr.Dataset"
+    excess: "xr.Dataset"
+    turn: "xr.Dataset"
+    v_n: "xr.Dataset"
+    diagram: VnDiagram
     notes: Sequence[str]
 
     def figure(self, name: str) -> Figure:
@@ -100,16 +108,26 @@ def performance(condition: FlightCondition, wanted: Wanted = ALL) -> Performance
     speeds = level_speeds(craft, lift, h)
     if speeds is None:
         raise SpecError(_too_high(condition, h, absolute))
+    structure = structure_of(condition, craft, speeds, wanted.n_max, wanted.n_min)
+    found = turns(craft, lift, speeds, structure.n_max)
+    diagram = vn_diagram(craft, structure, speeds, (lift, largest_lift(craft, -1.0)))
     rows = over_height(craft, lift, absolute.h if absolute else h)
+    figures = {
+        "level flight": list(_of_level(craft, lift, speeds)),
+        "climb": list(_of_climb(craft, lift, speeds, service, absolute)),
+        "turn": list(_of_turn(found, corner(craft, lift, speeds, structure.n_max), plant.earth.g)),
+        "V-n (equivalent airspeeds)": list(_of_diagram(diagram, craft)),
+    }
     return Performance(
         condition,
         h,
-        {
-            "level flight": list(_of_level(craft, lift, speeds)),
-            "climb": list(_of_climb(craft, speeds, service, absolute)),
-        },
-        _level_table(craft, speeds),
-        _height_table(rows),
+        figures,
+        level_table(craft, speeds),
+        height_table(rows),
+        excess_table(rows),
+        turn_table(found, h, plant.earth.g),
+        vn_table(diagram),
+        diagram,
         [*assumptions(condition, plant), *_assumed(craft)],
     )
 
@@ -123,7 +141,7 @@ def craft_of(condition: FlightCondition, plant: SixDof, wanted: Wanted) -> Craft
         )
     ref = condition.reference
     reach = reach_of(condition, wanted.slowest, wanted.fastest)
-    craft = Craft(plant, reach, wanted.full, ref.V, ref.h, wanted.alpha_max)
+    craft = Craft(plant, reach, wanted.full, ref.V, ref.h, wanted.alpha_max, ref.S, ref.c)
     top, why = highest(craft)
     if wanted.h is not None and not 0.0 <= wanted.h <= top:
         raise SpecError(
@@ -141,30 +159,59 @@ def _too_high(condition: FlightCondition, h: Meter, absolute: Ceiling | None) ->
 
 def _of_level(craft: Craft, lift: Lift, speeds: Speeds) -> Iterator[Figure]:
     weight = craft.plant.inertia.m * craft.plant.earth.g
-    yield Figure("stall at idle throttle", speeds.V_stall, "m/s", lift.limit)
-    yield Figure("slowest", speeds.line[0].V, "m/s", speeds.slow_end)
+    yield Figure("stall at idle throttle", speeds.V_stall, "m/s", limit=lift.limit)
+    yield Figure("slowest", speeds.line[0].V, "m/s", limit=speeds.slow_end)
     power = least(craft, speeds, lambda m: thrust_in(craft.plant, m) * m.V)
-    yield Figure("least power", power.V, "m/s")
     drag = least(craft, speeds, lambda m: thrust_in(craft.plant, m))
-    yield Figure("least drag", drag.V, "m/s")
-    yield Figure("weight over least thrust", weight / thrust_in(craft.plant, drag), "1")
-    yield Figure("fastest", speeds.line[-1].V, "m/s", speeds.fast_end)
+    thrust = thrust_in(craft.plant, drag)
+    yield Figure("least power", thrust_in(craft.plant, power) * power.V, "W", power.V)
+    yield Figure("least thrust", thrust, "N", drag.V)
+    yield Figure("weight over least thrust", weight / thrust, "1", drag.V)
+    yield Figure("fastest", speeds.line[-1].V, "m/s", limit=speeds.fast_end)
 
 
-def _of_climb(craft: Craft, speeds: Speeds, service: Ceiling | None, absolute: Ceiling | None) -> Iterator[Figure]:
+def _of_climb(
+    craft: Craft, lift: Lift, speeds: Speeds, service: Ceiling | None, absolute: Ceiling | None
+) -> Iterator[Figure]:
+    at = best_excess(craft, lift, speeds.h)
+    if at is not None:
+        yield Figure("specific excess power", at.excess, "m/s", at.V_climb)
     climbs = best_climbs(craft, speeds)
-    gains = [(excess_power(craft, m, m.V), m.V) for m in speeds.line]
-    best, V = max(gains)
-    yield Figure("largest specific excess power", best, "m/s")
-    yield Figure("at a speed of", V, "m/s")
-    if climbs.fastest is not None and climbs.steepest is not None:
-        yield Figure("best rate of climb", rate_of_climb(climbs.fastest), "m/s")
-        yield Figure("its speed", climbs.fastest.V, "m/s")
-        yield Figure("best angle of climb", climbs.steepest.gamma, "rad")
-        yield Figure("speed of best angle", climbs.steepest.V, "m/s")
+    if climbs is not None:
+        yield Figure("rate of climb", rate_of_climb(climbs.fastest), "m/s", climbs.fastest.V)
+        yield Figure("angle of climb", climbs.steepest.gamma, "rad", climbs.steepest.V)
     for name, found in (("service ceiling", service), ("absolute ceiling", absolute)):
         if found is not None:
-            yield Figure(name, found.h, "m", found.limit)
+            yield Figure(name, found.h, "m", limit=found.limit)
+
+
+def _of_turn(found: Sequence[Turn], V_corner: MeterPerSecond | None, g: float) -> Iterator[Figure]:
+    for words, kept in (("instantaneous", False), ("sustained", True)):
+        best = tightest_of(found, g, kept=kept)
+        n = best.n_sustained if kept else best.n
+        if n > 1.0:
+            yield Figure(f"{words} turn rate", rate_of(n, best.V, g), "rad/s", best.V, "" if kept else best.limit)
+            yield Figure("its load factor", n, "1", best.V)
+            yield Figure("its radius", radius_of(n, best.V, g), "m", best.V)
+    most = max(found, key=lambda t: max(0.0, t.n_sustained))
+    yield Figure("sustained load factor", most.n_sustained, "1", most.V)
+    if V_corner is not None:
+        yield Figure("corner speed", V_corner, "m/s")
+
+
+def _of_diagram(diagram: VnDiagram, craft: Craft) -> Iterator[Figure]:
+    structure = diagram.structure
+    yield Figure("largest load factor", structure.n_max, "1", limit=structure.why_n)
+    yield Figure("smallest load factor", structure.n_min, "1", limit=structure.why_n)
+    yield Figure("V_S", diagram.V_stall, "m/s", limit=f"upward, {diagram.limits[0]}; downward, {diagram.limits[1]}")
+    if diagram.V_A is not None:
+        yield Figure("V_A", diagram.V_A, "m/s")
+    yield Figure("V_C", structure.V_C, "m/s", limit=structure.why_V)
+    yield Figure("V_D", structure.V_D, "m/s", limit=structure.why_V)
+    loading = craft.plant.inertia.m * craft.plant.earth.g / craft.S
+    for name, gust, V in diagram.gusts:
+        words = f"FAR 23.341: {gust:.3g} m/s ({gust / FOOT:.3g} ft/s), alleviated by {diagram.alleviation:.3f}"
+        yield Figure(f"load factor of a gust at {name}", diagram.gust_load(gust, V, loading), "1", V, words)
 
 
 def _assumed(craft: Craft) -> Iterator[str]:
@@ -175,45 +222,3 @@ def _assumed(craft: Craft) -> Iterator[str]:
     if hasattr(engine, "T_max"):
         T = craft.full * engine.T_max
         yield f"Assumed: thrust at the full throttle of {craft.full:g} is {T:,.0f} N in the flight condition."
-
-
-def _level_table(craft: Craft, speeds: Speeds) -> "xr.Dataset":
-    line = speeds.line
-    need = [thrust_in(craft.plant, m) for m in line]
-    have = [thrust_in(craft.plant, m._replace(throttle=craft.full)) for m in line]
-    return labeled(
-        ("V", [m.V for m in line], "m/s", "true airspeed"),
-        ("alpha", [m.alpha for m in line], "rad", "angle of attack"),
-        ("elevator", [m.elevator for m in line], "rad", "elevator"),
-        ("throttle", [m.throttle for m in line], "1", "throttle"),
-        ("thrust_required", need, "N", "thrust required"),
-        ("thrust_available", have, "N", "thrust available"),
-        ("power_required", [T * m.V for T, m in zip(need, line, strict=True)], "W", "power required"),
-        ("power_available", [T * m.V for T, m in zip(have, line, strict=True)], "W", "power available"),
-        ("excess_power", [excess_power(craft, m, m.V) for m in line], "m/s", "specific excess power"),
-        h=f"{speeds.h:g} m",
-    )
-
-
-def _height_table(rows: Sequence[AtHeight]) -> "xr.Dataset":
-    nan = float("nan")
-    return labeled(
-        ("h", [r.h for r in rows], "m", "height"),
-        ("V_stall", [r.V_stall for r in rows], "m/s", "stall at idle throttle"),
-        ("V_slow", [r.speeds.line[0].V if r.speeds else nan for r in rows], "m/s", "slowest level flight"),
-        ("V_fast", [r.speeds.line[-1].V if r.speeds else nan for r in rows], "m/s", "fastest level flight"),
-        ("V_climb", [r.V_climb for r in rows], "m/s", "speed of the largest specific excess power"),
-        ("excess_power", [r.excess for r in rows], "m/s", "largest specific excess power"),
-        ("time", times_to_climb(rows), "s", "time to climb at the largest specific excess power"),
-    )
-
-
-def labeled(
-    axis: tuple[str, Sequence[float], str, str], *columns: tuple[str, Sequence[float], str, str], **said: str
-) -> "xr.Dataset":
-    """A table of columns over the first one: each its name, values, unit, and what it is in words."""
-    import xarray as xr
-
-    dim, values, unit, words = axis
-    data = {name: (dim, list(column), {"units": u, "long_name": w}) for name, column, u, w in columns}
-    return xr.Dataset(data, {dim: (dim, list(values), {"units": unit, "long_name": words})}, said)

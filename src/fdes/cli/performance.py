@@ -1,14 +1,17 @@
-"""`fdes performance`: range of speeds, climb and ceiling of an aircraft, from steady flights of the nonlinear plant."""
+"""`fdes performance`: what an aircraft can do, from steady flights of the nonlinear plant."""
 
+import math
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
+from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table, working
-from fdes.units import DEG, FOOT, KNOT, parse
+from fdes.units import DEG, FOOT, KNOT, POUND_FORCE, parse, to_si
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import xarray as xr
 
     from fdes.analysis.performance import Figure, Performance
@@ -18,7 +21,10 @@ SHOWN = {
     "m/s": (("m/s", 1.0), ("kt", 1.0 / KNOT)),
     "m": (("m", 1.0), ("ft", 1.0 / FOOT)),
     "rad": (("deg", 1.0 / DEG), None),
+    "rad/s": (("deg/s", 1.0 / DEG), None),
     "1": (("", 1.0), None),
+    "N": (("kN", 1e-3), ("lbf", 1.0 / POUND_FORCE)),
+    "W": (("kW", 1e-3), ("hp", 1.0 / to_si(1.0, "hp"))),
 }
 UPWARD = (("m/s", 1.0), ("ft/min", 60.0 / FOOT))
 
@@ -39,9 +45,14 @@ def performance(
     alpha_max: Annotated[
         str | None, typer.Option(metavar="TEXT", help="No larger angle of attack, such as '25 deg'.")
     ] = None,
+    n_max: Annotated[
+        float | None, typer.Option(metavar="NUMBER", help="The largest load factor of the structure.")
+    ] = None,
+    n_min: Annotated[float | None, typer.Option(metavar="NUMBER", help="The smallest one, such as -3.")] = None,
+    across: Across = None,
     json: AsJson = False,
 ) -> None:
-    """Performance in steady flight: range of speeds, climb and ceiling, of the nonlinear plant.
+    """Performance of the nonlinear plant: speeds, climb, ceiling, turns and V-n diagram.
 
     Every end names what limits it, and every assumption is said. Of fuel nothing is known, so of range and endurance
     nothing is said but the speeds of least drag and least power.
@@ -50,12 +61,14 @@ def performance(
     from fdes.analysis.performance import Wanted
     from fdes.analysis.performance import performance as found_by
 
-    ready = chosen(aircraft, condition, variant, changes)
+    ready = chosen(aircraft, condition, variant, changes, across)
     wanted = Wanted(
         h=None if height is None else parse(height, "m"),
         full=throttle,
         slowest=mach_min,
         fastest=mach_max,
+        n_max=n_max,
+        n_min=n_min,
         alpha_max=STEEPEST if alpha_max is None else parse(alpha_max, "rad"),
     )
     with working("Flying it at many speeds and heights"):
@@ -74,20 +87,30 @@ def _show(found: "Performance") -> None:
     title = f"{ready.aircraft_name}, {ready.condition}{changes}: performance at {found.h:,.0f} m"
     screen().print(f"{title} ({found.h / FOOT:,.0f} ft)", style="bold", soft_wrap=True)
     for subject, figures in found.figures.items():
-        rows = table(subject, "SI", "", "other", "")
+        rows = table(subject, "", "", "", "", "at m/s", "kt")
         for figure in figures:
             rows.add_row(figure.name, *_cells(figure))
         screen().print(rows)
-        for figure in figures:
-            if figure.limit:
-                screen().print(f"{figure.name}: {figure.limit}.", soft_wrap=True)
+    screen().print("What limits it", style="bold")
+    for figures in found.figures.values():
+        for words, names in _by_limit(figures).items():
+            screen().print(f"{', '.join(names)}: {words}.", soft_wrap=True)
 
 
-def _cells(figure: "Figure") -> tuple[str, ...]:
-    upward = figure.unit == "m/s" and ("rate" in figure.name or "excess" in figure.name)
+def _by_limit(figures: "Sequence[Figure]") -> dict[str, list[str]]:
+    names: dict[str, list[str]] = {}
+    for figure in figures:
+        if figure.limit:
+            names.setdefault(figure.limit, []).append(figure.name)
+    return names
+
+
+def _cells(figure: "Figure") -> list[str]:
+    upward = figure.name in ("specific excess power", "rate of climb")
     one, other = UPWARD if upward else SHOWN[figure.unit]
-    cells = (number(figure.value * one[1]), one[0])
-    return cells if other is None else (*cells, number(figure.value * other[1]), other[0])
+    cells = [number(figure.value * one[1]), one[0]]
+    cells += ["", ""] if other is None else [number(figure.value * other[1]), other[0]]
+    return cells if figure.V is None else [*cells, number(figure.V), number(figure.V / KNOT)]
 
 
 def _as_json(found: "Performance") -> dict[str, Any]:
@@ -102,6 +125,8 @@ def _as_json(found: "Performance") -> dict[str, Any]:
         "figures": {subject: [figure._asdict() for figure in figures] for subject, figures in found.figures.items()},
         "level": _columns(found.level),
         "heights": _columns(found.heights),
+        "turn": _columns(found.turn),
+        "v_n": _columns(found.v_n),
         "notes": list(found.notes),
     }
 
@@ -111,7 +136,7 @@ def _columns(data: "xr.Dataset") -> dict[str, Any]:
     return {
         str(name): {
             "unit": column.attrs["units"],
-            "values": [None if value != value else value for value in column.values.tolist()],  # noqa: PLR0124  a NaN
+            "values": [None if not math.isfinite(value) else value for value in column.values.tolist()],
         }
         for name, column in data.variables.items()
     }
