@@ -134,7 +134,7 @@ def assumptions(condition: FlightCondition, plant: SixDof) -> list[str]:
     engine = (
         "as the density, and as 1/V above half the condition's speed, as of a propeller at constant power"
         if _has_propeller(condition)
-        else f"as the density to the power of {JET_LAPSE}, and not with speed, as of a jet"
+        else f"as the density to the power of {JET_LAPSE}, above 11 km in proportion, and not with speed, as of a jet"
     )
     thrust = f"Assumed: thrust changes {engine}. It acts along the flight path of the condition."
     if condition.spool:

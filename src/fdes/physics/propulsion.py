@@ -9,7 +9,8 @@ from fdes.elementary import cos, pow, sin, where
 from fdes.physics.aero import Flow
 from fdes.units import KilogramPerMeter3, Meter, MeterPerSecond, Newton, Number, Radian
 
-JET_LAPSE = 0.7  # of thrust with density, a common assumption below the tropopause; assumed
+JET_LAPSE = 0.7  # of thrust with density below the tropopause; assumed (docs/decisions/0014-thrust-with-height.md)
+TROPOPAUSE: KilogramPerMeter3 = 0.36392  # the density at 11 km: U.S. Standard Atmosphere, 1976, table I
 PROPELLER_LAPSE = 1.0  # of power with density, of an engine without a supercharger; assumed
 SLOW = 0.5  # of the reference speed: below it, a propeller's thrust no longer grows as 1/V; assumed
 
@@ -17,7 +18,8 @@ SLOW = 0.5  # of the reference speed: below it, a propeller's thrust no longer g
 class Engine(NamedTuple):
     """Thrust T_max at full throttle and reference speed and density, and how it changes with either.
 
-    tilt: of the thrust line, nose up from the body's x axis.
+    thin: a density, below which thrust is in proportion to it. tilt: of the thrust line, nose up from the body's x
+    axis.
     """
 
     T_max: Newton = 0.0
@@ -25,6 +27,7 @@ class Engine(NamedTuple):
     rho_ref: KilogramPerMeter3 = 1.0
     with_speed: Number = 0.0
     with_density: Number = 0.0
+    thin: KilogramPerMeter3 = 0.0
     tilt: Radian = 0.0
 
 
@@ -37,10 +40,14 @@ class Thrust(NamedTuple):
 
 
 def thrust(engine: Engine, flow: Flow, throttle: Number) -> Thrust:
-    """The thrust of this instant: T_max throttle (V / V_ref)^n (rho / rho_ref)^m."""
+    """The thrust of this instant: T_max throttle (V / V_ref)^n (rho / rho_ref)^m, m being 1 in thin air."""
     ratio = flow.V / engine.V_ref
     of_speed = pow(where(ratio.real > SLOW, ratio, SLOW), engine.with_speed)
-    T = engine.T_max * throttle * of_speed * pow(flow.rho / engine.rho_ref, engine.with_density)
+    rho, rho_ref = flow.rho, engine.rho_ref
+    dense = where(rho.real > engine.thin, rho, engine.thin)
+    dense_ref = where(rho_ref > engine.thin, rho_ref, engine.thin)
+    of_density = pow(dense / dense_ref, engine.with_density) * rho * dense_ref / (dense * rho_ref)
+    T = engine.T_max * throttle * of_speed * of_density
     return Thrust(T * cos(engine.tilt), -T * sin(engine.tilt), 0.0)
 
 
@@ -78,7 +85,11 @@ def no_power(engine: Engine, throttle: Number) -> Number:
 def assumed_engine(
     T_max: Newton, V: MeterPerSecond, rho: KilogramPerMeter3, tilt: Radian, *, propeller: bool
 ) -> Engine:
-    """A jet, whose thrust does not know its speed, or a propeller at constant power; T_max is that at V and rho."""
+    """A jet, whose thrust does not know its speed, or a propeller at constant power; T_max is that at V and rho.
+
+    Above the tropopause the temperature stays, and by similarity the thrust of a jet at one Mach number and rotor speed
+    is in proportion to the pressure, and so to the density. docs/decisions/0014-thrust-with-height.md.
+    """
     if propeller:
-        return Engine(T_max, V, rho, -1.0, PROPELLER_LAPSE, tilt)
-    return Engine(T_max, V, rho, 0.0, JET_LAPSE, tilt)
+        return Engine(T_max, V, rho, -1.0, PROPELLER_LAPSE, tilt=tilt)
+    return Engine(T_max, V, rho, 0.0, JET_LAPSE, TROPOPAUSE, tilt)
