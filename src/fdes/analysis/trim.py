@@ -5,7 +5,8 @@ said by how much they fall short.
 """
 
 from fdes.analysis.trim_request import TrimSpec, in_words, must_be_possible, spec_of
-from fdes.analysis.trim_search import CALM, ENOUGH, FREE, ITERATIONS, TINY, TrimPoint, solve, solve_from
+from fdes.analysis.trim_search import CALM, ENOUGH, FREE, ITERATIONS, TINY, TrimPoint, solve, solve_briefly, solve_from
+from fdes.elementary import cos, sin
 from fdes.errors import SpecError, TrimError
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Surfaces
@@ -20,6 +21,7 @@ __all__ = [
     "TINY",
     "TrimPoint",
     "TrimSpec",
+    "balanced",
     "nearest_speed",
     "shortfalls",
     "solve",
@@ -29,6 +31,7 @@ __all__ = [
 ]
 
 TRIED = tuple(1.1 ** (s * k) for k in range(1, 13) for s in (1, -1))  # of the speed asked for: a third to three times
+CLEARLY = 1e-3  # of an acceleration [m/s^2 or rad/s^2]: what is less is not worth a word beside what is more
 
 
 def trim(plant: SixDof, spec: TrimSpec) -> TrimPoint:
@@ -46,26 +49,40 @@ def trim(plant: SixDof, spec: TrimSpec) -> TrimPoint:
     short = shortfalls(point, plant.limits)
     if not short:
         return point
-    if spec.alpha is not None:
-        raise TrimError(
-            f"No trim at {in_words(spec)}: {'; '.join(short)}. Try another angle of attack, or give a speed instead.",
-            best=point,
-            nearest=None,
-        )
-    nearest = nearest_speed(plant, spec)
-    hint = (
-        f"The nearest speed at which it can be flown is {nearest:.4g} m/s."
-        if nearest
-        else "No speed near it can be flown so: try another height or flight path."
+    nearest = nearest_speed(plant, spec) if spec.alpha is None else None
+    hints = [_path_instead(plant, point), _speed_instead(spec, nearest)]
+    raise TrimError(
+        " ".join([f"No trim at {in_words(spec)}: {'; '.join(short)}.", *filter(None, hints)]), point, nearest
     )
-    raise TrimError(f"No trim at {in_words(spec)}: {'; '.join(short)}. {hint}", best=point, nearest=nearest)
+
+
+def _path_instead(plant: SixDof, point: TrimPoint) -> str:
+    """Where the throttle is what falls short: the path that its stop allows at that speed."""
+    spec, low, high = point.asked, plant.limits.lower.throttle, plant.limits.upper.throttle
+    needed = point.surfaces.throttle
+    if spec.throttle is not None or low <= needed <= high or not balanced(point):
+        return ""
+    stop = high if needed > high else low
+    there = solve(plant, spec._replace(throttle=stop, gamma=0.0))
+    if shortfalls(there, plant.limits):
+        return ""
+    return f"With a throttle of {stop:g} its path would be {there.spec.gamma / DEG:.3g} deg."
+
+
+def _speed_instead(spec: TrimSpec, nearest: float | None) -> str:
+    if spec.alpha is not None:
+        return "Try another angle of attack, or give a speed instead."
+    if nearest is not None:
+        return f"The nearest speed at which it can be flown is {nearest:.4g} m/s."
+    tried = f"from {spec.V * min(TRIED):.4g} to {spec.V * max(TRIED):.4g} m/s"
+    return f"No speed near it can be flown so ({tried} were tried): try another height or flight path."
 
 
 def nearest_speed(plant: SixDof, spec: TrimSpec) -> float | None:
     """The speed [m/s] nearest to that of `spec` at which it can be flown, to a thousandth; None where there is none."""
 
     def flies(V: float) -> bool:
-        return not shortfalls(solve(plant, spec._replace(V=V)), plant.limits)
+        return not shortfalls(solve_briefly(plant, spec._replace(V=V)), plant.limits)
 
     found = next((spec.V * k for k in TRIED if flies(spec.V * k)), None)
     if found is None:
@@ -77,11 +94,15 @@ def nearest_speed(plant: SixDof, spec: TrimSpec) -> float | None:
     return found
 
 
+def balanced(point: TrimPoint) -> bool:
+    """Whether nothing accelerates there, wherever the surfaces would have to be for that."""
+    return point.residual < 100.0 * ENOUGH
+
+
 def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
     """What keeps the aircraft from flying so, in words; nothing where it can."""
-    if not point.residual < 100.0 * ENOUGH:
-        left = f"{point.residual:.2g} m/s^2 or rad/s^2"
-        return [f"nothing balances it (lift may be at its largest): the best point still accelerates by {left}"]
+    if not balanced(point):
+        return [f"nothing balances it: the best point, at an angle of attack of {_still_accelerating(point)}"]
     found = []
     for name, value, low, high in zip(Surfaces._fields, point.surfaces, limits.lower, limits.upper, strict=True):
         if low - 1e-9 <= value <= high + 1e-9:
@@ -91,3 +112,21 @@ def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
         said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg" if angle else f"{value:.4g} of {stop:g}"
         found.append(f"the {name} would have to be {said}")
     return found
+
+
+def _still_accelerating(point: TrimPoint) -> str:
+    """Such as ``19.3 deg, still accelerates by 2.1 m/s^2 downward, for lift falls short``."""
+    d = point.plant._replace(limits=FREE).derivative(point.state, point.plant.trim(), CALM)
+    sa, ca = sin(point.alpha), cos(point.alpha)
+    down, along = d.w * ca - d.u * sa, d.u * ca + d.w * sa
+    kinds = [
+        (down, "m/s^2", "downward, for lift falls short", "upward, for lift is too much"),
+        (along, "m/s^2", "forward, for drag falls short", "backward, for thrust falls short"),
+        (d.v, "m/s^2", "to the right", "to the left"),
+        (d.p, "rad/s^2", "in roll", "in roll"),
+        (d.q, "rad/s^2", "in pitch", "in pitch"),
+        (d.r, "rad/s^2", "in yaw", "in yaw"),
+    ]
+    said = [f"{abs(a):.2g} {unit} {up if a > 0.0 else under}" for a, unit, up, under in kinds if abs(a) > CLEARLY]
+    left = " and ".join(said) or f"{point.residual:.2g} m/s^2 or rad/s^2"
+    return f"{point.alpha / DEG:.3g} deg, still accelerates by {left}"

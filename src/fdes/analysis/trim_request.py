@@ -233,13 +233,16 @@ def _must_be_between(name: str, value: float, low: float, high: float, unit: str
 
 def in_words(spec: TrimSpec) -> str:
     """Such as ``100 m/s, 1,000 m, climbing 3 deg, turning 2 deg/s``."""
-    asked = spec.asked()
     alpha = f"an angle of attack of {(spec.alpha or 0.0) / DEG:.3g} deg"
     said = [f"{spec.V:.4g} m/s" if spec.alpha is None else alpha, f"{spec.h:,.0f} m"]
-    said.append(f"climbing {spec.gamma / DEG:.3g} deg" if spec.throttle is None else f"throttle {spec.throttle:.3g}")
+    if spec.throttle is not None:
+        said.append(f"throttle {spec.throttle:.3g}")
+    else:
+        steep = f"{'climbing' if spec.gamma > 0.0 else 'descending'} {abs(spec.gamma) / DEG:.3g} deg"
+        said.append(steep if spec.gamma else "level")
     if spec.n_turn is not None:
         said.append(f"turning {'left' if spec.n_turn < 0.0 else 'right'} at {abs(spec.n_turn):.3g} g")
-    if "turn" in asked and not (spec.q or spec.n is not None):
+    if spec.turn:
         said.append(f"turning {spec.turn / DEG:.3g} deg/s")
     if spec.q:
         said.append(f"pitching {spec.q / DEG:.3g} deg/s")

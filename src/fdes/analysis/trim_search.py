@@ -28,6 +28,7 @@ CALM = Air()
 TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS, HALVINGS = 25, 6
+PATIENCE = 6  # steps that bring next to nothing, before the search ends
 FAST = 0.02  # of what a step leaves of the accelerations: then the slopes serve for another
 OTHER_STARTS = tuple(alpha * DEG for alpha in (2.0, 7.0, 12.0, 17.0, 27.0, 37.0))  # between breakpoints of 5 deg
 FARTHEST = {"alpha": 0.2, "phi": 0.2, "gamma": 0.2, "beta": 0.2}  # rad in one step
@@ -92,11 +93,16 @@ def solve(plant: SixDof, spec: TrimSpec) -> TrimPoint:
     It begins at the angle of attack of the plant's initial flight. Where that leads nowhere, as it may across the kinks
     of tables and where lift is at its largest, it begins at others.
     """
-    first = solve_from(plant, spec, atan2(plant.initial.w, plant.initial.u))
+    first = solve_briefly(plant, spec)
     if first.residual < ENOUGH:
         return first
     points = [first, *(solve_from(plant, spec, alpha) for alpha in OTHER_STARTS)]
     return min(points, key=lambda point: point.residual)
+
+
+def solve_briefly(plant: SixDof, spec: TrimSpec) -> TrimPoint:
+    """As `solve`, from the angle of attack of the plant's initial flight alone."""
+    return solve_from(plant, spec, atan2(plant.initial.w, plant.initial.u))
 
 
 def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
@@ -104,9 +110,10 @@ def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
     problem = _problem(plant, spec, alpha)
     z = np.array([problem.known[k] for k in problem.unknown])
     left, iterations = _left(problem, z), 0
+    sizes = [_size(left)]
     slopes: NDArray[np.float64] | None = None
     chosen = list(range(len(z)))
-    while iterations < ITERATIONS and _size(left) > ENOUGH:
+    while sizes[-1] > ENOUGH and iterations < ITERATIONS and not _stuck(sizes):
         fresh = slopes is None
         if slopes is None:
             chosen = _worth_changing(problem, left)
@@ -115,20 +122,25 @@ def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
         change[chosen] = _solved(slopes[chosen], -left[chosen])
         change *= min(1.0, *(most / max(abs(d), 1e-12) for d, most in zip(change, _farthest(problem, z), strict=True)))
         then = _left(problem, z + change)
-        if fresh:
-            for _ in range(HALVINGS):
-                if _size(then) < _size(left):
-                    break
-                change *= 0.5
-                then = _left(problem, z + change)
-        better = _size(then) / _size(left)
+        for _ in range(HALVINGS if fresh else 0):
+            if _size(then) < sizes[-1]:
+                break
+            change *= 0.5
+            then = _left(problem, z + change)
+        better = _size(then) / sizes[-1]
         if not better < FAST:
             slopes = None
         if better < 1.0:
             z, left, iterations = z + change, then, iterations + 1
+            sizes.append(_size(left))
         elif fresh:
             break
     return _point(plant, problem, z, left, iterations)
+
+
+def _stuck(sizes: Sequence[float]) -> bool:
+    """Whether the last steps have brought next to nothing."""
+    return len(sizes) > PATIENCE and sizes[-1] > 0.7 * sizes[-1 - PATIENCE]
 
 
 def _problem(plant: SixDof, spec: TrimSpec, alpha: float) -> Problem:

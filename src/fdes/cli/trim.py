@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 def trim(
     aircraft: AircraftName,
     wanted: Annotated[
-        str, typer.Argument(metavar="TEXT", help="Such as 'V=170 kt h=5000 ft gamma=3 deg turn=3 deg/s beta=2 deg'.")
+        str,
+        typer.Argument(metavar="TEXT", help="Such as 'V=170 kt h=5000 ft gamma=3 deg', or 'CAS=250 kt bank=45 deg'."),
     ] = "",
     condition: ConditionName = None,
     variant: VariantName = "corrected",
@@ -31,10 +32,13 @@ def trim(
     plot: PlotFile = None,
     json: AsJson = False,
 ) -> None:
-    """Trim the nonlinear plant in steady flight: straight, climbing, turning or sideslipping.
+    """Trim the nonlinear plant in steady flight: straight, climbing, turning, pulling up or sideslipping.
 
-    What is not said is that of the flight condition: its speed and height, level, straight. `mach` may be given instead
-    of V. Surfaces are from those of the condition.
+    What is not said is that of the flight condition: its speed and height, level, straight, without sideslip. Speed: V
+    (true), CAS, EAS, M, or alpha. Path: gamma, climb ('climb=1000 ft/min'), or throttle, from which it follows. Turn:
+    turn, as a rate or as a load factor ('turn=2 g', to the left '-2 g'), or bank. Pull-up or push-over: n, the load
+    factor, or q. Sideslip: beta, or n_y=0 for none of the side force; 'bank=5 deg turn=0' is a straight one. Surfaces
+    are from those of the condition.
     """
     from fdes.analysis.trim import TrimSpec, spec_of
     from fdes.analysis.trim import trim as found_by
@@ -55,7 +59,8 @@ def trim(
             "aircraft": ready.aircraft_id,
             "condition": ready.condition,
             "units": "SI",
-            "asked": point.spec._asdict(),
+            "asked": point.asked.asked(),
+            "flight": point.spec.flight(),
             "alpha": point.alpha,
             "phi": point.phi,
             "theta": point.theta,
@@ -120,13 +125,15 @@ def _line_as_json(line: "TrimLine") -> dict[str, Any]:
 def _show(point: "TrimPoint", title: str) -> None:
     from fdes.physics.aero import derivative_loads
 
-    spec, surfaces = point.spec, point.surfaces
+    spec, surfaces, y = point.spec, point.surfaces, point.outputs()
     elevator = "elevator, from the condition's" if point.plant.aerodynamics is derivative_loads else "elevator"
     screen().print(f"{title}: V = {spec.V:.4g} m/s, h = {spec.h:,.0f} m", style="bold")
     drawn = table("quantity", "value", "unit")
     for name, value, unit in (
         ("flight-path angle", spec.gamma / DEG, "deg"),
         ("turn rate", spec.turn / DEG, "deg/s"),
+        ("pitch rate", y.q / DEG, "deg/s"),
+        ("load factor n_z", y.n_z, "g"),
         ("sideslip", spec.beta / DEG, "deg"),
         ("angle of attack", point.alpha / DEG, "deg"),
         ("pitch", point.theta / DEG, "deg"),
