@@ -10,10 +10,10 @@ from collections.abc import Callable
 from typing import Annotated, Any, NamedTuple
 
 from fdes.elementary import atan2, cos, largest, sin, sqrt, where
-from fdes.errors import Departed
+from fdes.errors import SpecError
 from fdes.physics.aero import SLOWEST, AirLoads, Flow
 from fdes.physics.airdata import calibrated_airspeed, equivalent_airspeed, impact_pressure
-from fdes.physics.atmosphere import BOTTOM, TOP, Atmosphere, standard_atmosphere
+from fdes.physics.atmosphere import Atmosphere, standard_atmosphere
 from fdes.physics.attitude import (
     Rotation,
     Three,
@@ -27,6 +27,7 @@ from fdes.physics.attitude import (
     turned_back,
 )
 from fdes.physics.earth import Earth, Place, gravitation, local_quaternion, place, position
+from fdes.physics.envelope import lost_within, must_be_inside
 from fdes.physics.propulsion import Engine, Thrust, at_once, no_power
 from fdes.physics.rigid_body import Inertia, Loads, acceleration, angular_acceleration, cross
 from fdes.physics.runge_kutta import Tableau, Vector, step
@@ -34,8 +35,6 @@ from fdes.physics.signals import Air, Outputs, Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.physics.wind import Wind, wind_at
 from fdes.units import G0, Kelvin, Kilogram, Meter, MeterPerSecond, Number, RadianPerSecond
-
-MARGIN: Meter = 100.0  # to the ends of the atmosphere: no step goes as far
 
 
 class State(NamedTuple):
@@ -221,15 +220,13 @@ def advance(plant: SixDof, x: State, command: Surfaces, air: Air, dt: float, sub
         return derivative(plant, State(*y), command, air)
 
     for _ in range(substeps):
-        x = State(*step(f, x, dt / substeps, plant.integrator))
+        try:
+            x = State(*step(f, x, dt / substeps, plant.integrator))
+        except (SpecError, ArithmeticError, ValueError):
+            raise lost_within(x, dt / substeps) from None
         size = sqrt(x.e0 * x.e0 + x.e1 * x.e1 + x.e2 * x.e2 + x.e3 * x.e3)
         x = x._replace(e0=x.e0 / size, e1=x.e1 / size, e2=x.e2 / size, e3=x.e3 / size)
-        h = place(plant.earth, x.x, x.y, x.z).h
-        if not BOTTOM + MARGIN < h < TOP - MARGIN:
-            raise Departed(
-                f"The flight departed: its height reached {h:,.0f} m, and the atmosphere that its plant knows reaches "
-                f"from {BOTTOM + MARGIN:,.0f} m to {TOP - MARGIN:,.0f} m above mean sea level. End the flight before."
-            )
+        must_be_inside(x, place(plant.earth, x.x, x.y, x.z).h)
     return x
 
 
