@@ -137,6 +137,20 @@ async function openNewAircraft() {
 }
 document.addEventListener("new-aircraft", openNewAircraft);
 
+let gamepadDialog = null; // fetched when it is opened
+
+/** The set-up of the gamepad. */
+async function setUpGamepad() {
+  try {
+    const { GamepadDialog } = await import("./gamepad_dialog.js");
+    gamepadDialog ??= new GamepadDialog(stick);
+    gamepadDialog.open();
+  } catch (error) {
+    topBar.complain(`The set-up of the gamepad could not be opened. ${error.message}`);
+  }
+}
+document.addEventListener("set-up-gamepad", setUpGamepad);
+
 /** Sends a command; a refusal is shown to the user. Resolves to whether it was done. */
 async function command(name, fields) {
   try {

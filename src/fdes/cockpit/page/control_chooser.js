@@ -15,6 +15,7 @@ export class ControlChooser {
     this.items = CHOICES.map(([name, words]) =>
       html("button", { type: "button", role: "menuitemradio", tabindex: -1, onclick: () => this.choose(name) }, words),
     );
+    this.items.push(html("button", { type: "button", role: "menuitem", tabindex: -1, "aria-haspopup": "dialog", onclick: () => this.setUp() }, "Set up the gamepad…"));
     this.menu = html("div", { class: "menu", id: "control-menu", role: "menu", "aria-label": "What moves the stick", hidden: true }, this.items);
     button.setAttribute("aria-controls", "control-menu");
     button.after(this.menu);
@@ -26,7 +27,7 @@ export class ControlChooser {
   }
 
   open() {
-    this.items.forEach((item, i) => item.setAttribute("aria-checked", CHOICES[i][0] === this.stick.choice));
+    CHOICES.forEach(([name], i) => this.items[i].setAttribute("aria-checked", name === this.stick.choice));
     this.menu.hidden = false;
     this.button.setAttribute("aria-expanded", true);
     const { left, bottom, width } = this.button.getBoundingClientRect();
@@ -46,6 +47,12 @@ export class ControlChooser {
     this.close();
     this.button.blur(); // space and the arrow keys go back to the cockpit
     this.say(this.stick.choose(name));
+  }
+
+  setUp() {
+    this.close();
+    this.button.blur();
+    document.dispatchEvent(new Event("set-up-gamepad"));
   }
 
   /** The stick must not move while the arrows move in the menu. */

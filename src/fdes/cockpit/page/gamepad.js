@@ -57,7 +57,7 @@ export class Gamepads {
   }
 
   get name() {
-    return this.pad.id.replace(/\s*\(.*/, "").slice(0, 18) || "Gamepad";
+    return nameOf(this.pad).slice(0, 18);
   }
 
   /** Where `control` stands, -1 to 1, before dead zone and curve. */
@@ -104,6 +104,9 @@ export class Gamepads {
     for (const action in actions) if (actions[action] === number) this.onAction(action);
   }
 }
+
+/** What a device calls itself, without its numbers. */
+export const nameOf = ({ id }) => id.replace(/\s*\(.*/, "") || "Gamepad";
 
 /** A deflection -1..1 after the dead zone and the curve. */
 export function shape(raw, { deadZone, curve }) {

@@ -25,6 +25,8 @@ const ADVICE = [
     "flies on with the nonlinear aircraft, which loops and rolls; its stall is assumed.",
   "A damper helps: press L for the yaw damper, or open Control for all six laws, their gains and their block diagram.",
   "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, triggers for the pedals, cross for the throttle.",
+  "The menu in the top bar that names the keyboard hands the stick to the mouse or a gamepad, and sets a gamepad up: axes, " +
+    "travel, dead zone, and what its buttons do.",
 ];
 
 const table = (title, rows) =>
@@ -59,5 +61,11 @@ export function fillHelp(dialog) {
       { class: "notes" },
       ADVICE.map((line) => html("li", {}, line)),
     ),
+    html("button", { type: "button", "aria-haspopup": "dialog", onclick: () => setUpGamepad(dialog) }, "Set up the gamepad…"),
   );
+}
+
+function setUpGamepad(help) {
+  help.close();
+  document.dispatchEvent(new Event("set-up-gamepad"));
 }

@@ -13,7 +13,7 @@ export const KEYS = [
   { keys: ["L"], action: "law", does: "Control laws on, off" },
   { keys: ["N"], action: "plant", does: "Linear or nonlinear aircraft" },
   { keys: ["T"], action: "theme", does: "Dark, light" },
-  { keys: ["?"], action: "help", does: "These keys" },
+  { keys: ["?"], action: "help", does: "Help: these keys" },
 ];
 
 /** Runs `actions[action]()` for each key of the table, unless somebody is typing or a dialog is open. */
