@@ -14,7 +14,7 @@ from fdes.analysis.what_if import what_if
 from fdes.errors import SpecError
 from fdes.flight import Clock
 from fdes.flight.nonlinear import six_dof_of
-from fdes.physics.across_mach import AcrossMach, across_mach_loads, mach_derivatives, static
+from fdes.physics.across_mach import AcrossMach, Between, conditions_of, loads_between, mach_derivatives, static
 from fdes.physics.aero import Flow, derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import dimensional, matrices
@@ -80,13 +80,13 @@ def test_flown_from_one_end_to_the_other_it_is_the_full_form_of_that(chosen: str
 @pytest.mark.parametrize("end", [0, 1])
 def test_no_kink_at_the_ends(end: int) -> None:
     """Slopes over Mach to either side of a condition at its trim are the printed Mach derivatives."""
-    aero: AcrossMach = six_dof_of(load("A-4D").at(across="mach")).aero
-    here = aero.sets[end]
+    aero: Between = six_dof_of(load("A-4D").at(across="mach")).aero
+    here = conditions_of(aero)[end]
     step = 1e-6
 
     def coefficients(mach: float) -> np.ndarray:
         at = flow(mach, here.alpha_0)
-        loads = across_mach_loads(aero, at, Surfaces())
+        loads = loads_between(aero, at, Surfaces())
         ca, sa = np.cos(at.alpha), np.sin(at.alpha)
         lift, drag = loads.X * sa - loads.Z * ca, -loads.X * ca - loads.Z * sa
         return np.array([lift, drag, loads.M / here.c]) / (at.qbar * here.S)
@@ -99,13 +99,13 @@ def test_no_kink_at_the_ends(end: int) -> None:
 
 
 def test_halfway_every_derivative_is_the_mean() -> None:
-    aero: AcrossMach = six_dof_of(skyhawk(alpha=4.7).at(across="mach")).aero
-    low, high = aero.sets
+    aero: Between = six_dof_of(skyhawk(alpha=4.7).at(across="mach")).aero
+    low, high = conditions_of(aero)
     half = 0.5 * (low.mach_0 + high.mach_0)
 
     def change(alpha: float, beta: float, rate: float, *surfaces: float) -> np.ndarray:
-        rest = across_mach_loads(aero, flow(half, low.alpha_0), Surfaces())
-        moved = across_mach_loads(aero, flow(half, low.alpha_0 + alpha, beta, rate), Surfaces(*surfaces))
+        rest = loads_between(aero, flow(half, low.alpha_0), Surfaces())
+        moved = loads_between(aero, flow(half, low.alpha_0 + alpha, beta, rate), Surfaces(*surfaces))
         return np.subtract(moved, rest)
 
     def mean(alpha: float, beta: float, rate: float, *surfaces: float) -> np.ndarray:
@@ -122,17 +122,17 @@ def test_halfway_every_derivative_is_the_mean() -> None:
 
 @pytest.mark.parametrize(("mach", "end"), [(0.25, 0), (0.9, 1)])
 def test_beyond_it_is_the_plant_of_the_nearest_condition(mach: float, end: int) -> None:
-    aero: AcrossMach = six_dof_of(load("A-4D").at(across="mach")).aero
+    aero: Between = six_dof_of(load("A-4D").at(across="mach")).aero
     at, held = flow(mach, 0.1, 0.03, 0.2), Surfaces(0.05, 0.02, -0.03)
-    assert across_mach_loads(aero, at, held) == derivative_loads(aero.sets[end], at, held)
+    assert loads_between(aero, at, held) == derivative_loads(conditions_of(aero)[end], at, held)
 
 
 def test_lift_ends_at_the_same_angle_where_an_angle_of_attack_is_not_known() -> None:
     for chosen in ENDS:
-        sets = six_dof_of(load("A-4D").at(chosen, across="mach")).aero.sets
+        sets = conditions_of(six_dof_of(load("A-4D").at(chosen, across="mach")).aero)
         low, high = (a.alpha_0 - a.k.CL / a.k.CL_alpha for a in sets)
         assert low == pytest.approx(high, abs=1e-12)
-    assert six_dof_of(skyhawk(alpha=3.0).at(across="mach")).aero.sets[1].alpha_0 == pytest.approx(3.0 * DEG)
+    assert six_dof_of(skyhawk(alpha=3.0).at(across="mach")).aero.high.alpha_0 == pytest.approx(3.0 * DEG)
 
 
 def test_a_change_is_made_to_both_ends_and_the_flight_condition_is_not() -> None:
@@ -185,3 +185,26 @@ def test_a_flight_is_flown_again_bit_for_bit_and_says_where_it_was_beyond() -> N
     assert any(n.startswith("mach is beyond its conditions from t = 0 s on: ") for n in slow.header["assumptions"])
     between = simulate_nonlinear(condition, clock=Clock(0.05, duration=1.0), spec=TrimSpec(200.0, 1000.0))
     assert not any("beyond its conditions" in n for n in between.header["assumptions"])
+
+
+def test_three_conditions_are_two_pieces_that_meet_without_a_kink() -> None:
+    """The middle one is the full form of itself, whichever is chosen."""
+    document = tomllib.loads((HANGAR / "a4d.toml").read_text(encoding="utf-8"))
+    first, second = document["conditions"]
+    second["trim_alpha"] = {"printed": 3.9, "unit": "deg"}
+    middle = {**second, "id": "between", "mach": 0.6, "altitude": {"printed": 20000, "unit": "ft"}}
+    middle["derivatives"] = {**second["derivatives"], "CL": 0.25, "Cm_alpha": -0.35, "CL_M": 0.08, "Cm_M": -0.02}
+    document["conditions"] = [first, second, middle]
+    aircraft = parse(document, "the test's aircraft")
+    plant = six_dof_of(aircraft.at("between", across="mach"))
+    assert isinstance(plant.aero, AcrossMach)
+    assert [round(a.mach_0, 3) for a in conditions_of(plant.aero)] == [0.4, 0.6, 0.8]
+    full_form_of(aircraft.at("between"), plant)
+    slower, faster = (plant._replace(aero=piece, aerodynamics=loads_between) for piece in plant.aero.pieces)
+    for one in (slower, faster):
+        full_form_of(aircraft.at("between"), one)
+    at, held = flow(0.7, 0.05), Surfaces(0.02)
+    assert plant.aerodynamics(plant.aero, at, held) == loads_between(faster.aero, at, held)
+    assert plant.aerodynamics(plant.aero, at._replace(mach=0.5), held) == loads_between(
+        slower.aero, at._replace(mach=0.5), held
+    )

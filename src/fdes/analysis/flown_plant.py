@@ -51,15 +51,15 @@ def trimmed(condition: FlightCondition, integrator: str, V: float, h: float, **m
     """
     from fdes.analysis.trim import TrimSpec, trim
     from fdes.flight.nonlinear import assumptions, six_dof_of
-    from fdes.physics.across_mach import AcrossMach
+    from fdes.physics.across_mach import AcrossMach, Between, conditions_of
     from fdes.physics.aero import DerivativeAero
 
     must_be_a_plant(NONLINEAR, integrator)
     plant = six_dof_of(condition, integrator)
     point = trim(plant, TrimSpec(V, h, **more))
     stall = _stall(plant.aero) if isinstance(plant.aero, DerivativeAero) else None
-    if isinstance(plant.aero, AcrossMach):
-        downs, ups = zip(*map(_stall, plant.aero.sets), strict=True)
+    if isinstance(plant.aero, Between | AcrossMach):
+        downs, ups = zip(*map(_stall, conditions_of(plant.aero)), strict=True)
         stall = max(downs), min(ups)  # at any Mach number
     said = tuple(assumptions(condition, plant))
     return Trimmed(point.plant, V, h, point.alpha, point.theta, point.surfaces.throttle, stall, said)

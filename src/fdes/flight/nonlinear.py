@@ -9,7 +9,16 @@ from itertools import pairwise
 from fdes.aircraft import FlightCondition
 from fdes.aircraft.terms import Terms
 from fdes.errors import SpecError
-from fdes.physics.across_mach import AcrossMach, across_mach, across_mach_loads, mach_derivatives, secants
+from fdes.physics.across_mach import (
+    AcrossMach,
+    Between,
+    across_mach,
+    across_mach_loads,
+    conditions_of,
+    loads_between,
+    mach_derivatives,
+    secants,
+)
 from fdes.physics.aero import DerivativeAero, derivative_aero, derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients
@@ -77,7 +86,8 @@ def _across(condition: FlightCondition, plant: SixDof) -> SixDof:
             f"With its changes, {condition.aircraft_id} {condition.condition} is at the Mach number of another "
             "condition, with which it cannot be interpolated then. Leave that change or --across out."
         )
-    return plant._replace(aero=across_mach(sets), aerodynamics=across_mach_loads)
+    aero = across_mach(sets)
+    return plant._replace(aero=aero, aerodynamics=loads_between if isinstance(aero, Between) else across_mach_loads)
 
 
 def _alpha_seen_from(condition: FlightCondition, other: FlightCondition) -> float:
@@ -157,9 +167,9 @@ def _lift(largest: str) -> str:
     )
 
 
-def _across_sentences(condition: FlightCondition, aero: AcrossMach) -> list[str]:
+def _across_sentences(condition: FlightCondition, aero: Between | AcrossMach) -> list[str]:
     """What is said of a plant that is interpolated across Mach."""
-    sets = aero.sets
+    sets = conditions_of(aero)
     names = sorted((c.reference.mach, c.condition) for c in (condition, *condition.across))
     low, high = sets[0].mach_0, sets[-1].mach_0
     between = " and ".join(name for _, name in names)
@@ -167,7 +177,7 @@ def _across_sentences(condition: FlightCondition, aero: AcrossMach) -> list[str]
     where = f"Derivatives are interpolated from Mach {low:.3g} to {high:.3g}, between {between}"
     said = [
         f"{where}; beyond, they are those of the nearest. {own}",
-        f"{_lift(' and '.join(f'{a.CL_max:.2f}' for a in sets))} The derivatives know no stall.",
+        f"{_lift(' and '.join(dict.fromkeys(f'{a.CL_max:.2f}' for a in sets)))} The derivatives know no stall.",
     ]
     for below, above in pairwise(sets):
         if below.mach_0 < 1.0 < above.mach_0:

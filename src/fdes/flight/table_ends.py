@@ -6,7 +6,7 @@ ended.
 
 from collections.abc import Mapping, Sequence
 
-from fdes.physics.across_mach import AcrossMach
+from fdes.physics.across_mach import AcrossMach, Between, conditions_of
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Outputs, Surfaces, channels
 from fdes.physics.terms import ends, term_loads
@@ -20,8 +20,9 @@ SLACK = 0.01  # of the range of a table: what is beyond it by less is not worth 
 def table_ends(plant: SixDof) -> dict[str, tuple[float, float]]:
     """The least and the greatest value of each signal that its tables know [SI]; empty where it has none."""
     found = ends(plant.aero) if plant.aerodynamics is term_loads else {}
-    if isinstance(plant.aero, AcrossMach):
-        found["mach"] = plant.aero.sets[0].mach_0, plant.aero.sets[-1].mach_0
+    if isinstance(plant.aero, Between | AcrossMach):
+        sets = conditions_of(plant.aero)
+        found["mach"] = sets[0].mach_0, sets[-1].mach_0
     if isinstance(plant.engine, Turbofan):
         for name, axis in (("mach", plant.engine.mach), ("h", plant.engine.height)):
             low, high = found.get(name, (axis.breakpoints[0], axis.breakpoints[-1]))
@@ -35,7 +36,7 @@ def beyond_tables(plant: SixDof, signals: Mapping[str, Sequence[float]], t: Sequ
     signals: columns of `Outputs`, surfaces from those of `plant.rest`.
     """
     units = {c.name: c.unit for c in channels(Outputs)}
-    what = "conditions" if isinstance(plant.aero, AcrossMach) else "tables"
+    what = "conditions" if isinstance(plant.aero, Between | AcrossMach) else "tables"
     said = []
     for name, (low, high) in table_ends(plant).items():
         rest = getattr(plant.rest, name) if name in SURFACES else 0.0

@@ -10,7 +10,7 @@ and the last condition the aircraft is that of this condition.
 
 from typing import NamedTuple
 
-from fdes.elementary import cos, sin
+from fdes.elementary import cos, sin, where
 from fdes.physics.aero import AirLoads, DerivativeAero, Flow, derivative_loads
 from fdes.physics.signals import Surfaces
 from fdes.units import Number, Radian
@@ -31,16 +31,30 @@ class Bend(NamedTuple):
     above: Static
 
 
+class Between(NamedTuple):
+    """The aerodynamics of two conditions, `low` being at the lower Mach number, and the bend between them."""
+
+    low: DerivativeAero
+    high: DerivativeAero
+    bend: Bend
+
+
 class AcrossMach(NamedTuple):
-    """The aerodynamics of two or more conditions by rising Mach number, and the bend between each two of them."""
+    """The aerodynamics of three or more conditions: of each two neighbors, by rising Mach number."""
 
-    sets: tuple[DerivativeAero, ...]
-    bends: tuple[Bend, ...]
+    pieces: tuple[Between, ...]
 
 
-def across_mach(sets: tuple[DerivativeAero, ...]) -> AcrossMach:
+def across_mach(sets: tuple[DerivativeAero, ...]) -> Between | AcrossMach:
     """The aerodynamics of `sets`, which are about one center of gravity, in one body, by rising Mach number."""
-    return AcrossMach(sets, tuple(_bend(sets[k], sets[k + 1]) for k in range(len(sets) - 1)))
+    pieces = tuple(Between(sets[k], sets[k + 1], _bend(sets[k], sets[k + 1])) for k in range(len(sets) - 1))
+    return pieces[0] if len(pieces) == 1 else AcrossMach(pieces)
+
+
+def conditions_of(a: Between | AcrossMach) -> tuple[DerivativeAero, ...]:
+    """The aerodynamics of the conditions themselves, by rising Mach number."""
+    pieces = (a,) if isinstance(a, Between) else a.pieces
+    return (*(piece.low for piece in pieces), pieces[-1].high)
 
 
 def secants(low: DerivativeAero, high: DerivativeAero) -> tuple[Static, Static]:
@@ -75,29 +89,36 @@ def _bend(low: DerivativeAero, high: DerivativeAero) -> Bend:
 
 
 def across_mach_loads(a: AcrossMach, flow: Flow, surfaces: Surfaces) -> AirLoads:
-    """The loads at the Mach number of `flow`: between two conditions, or those of the nearest one."""
-    sets, mach = a.sets, flow.mach.real
-    if mach <= sets[0].mach_0:
-        return derivative_loads(sets[0], flow, surfaces)
-    if mach >= sets[-1].mach_0:
-        return derivative_loads(sets[-1], flow, surfaces)
-    k = 0
-    while mach >= sets[k + 1].mach_0:
+    """The loads between the two conditions of which one is slower and one faster, or beyond all of them."""
+    k, mach = 0, flow.mach.real
+    while k < len(a.pieces) - 1 and mach >= a.pieces[k].high.mach_0:
         k += 1
-    low, high = sets[k], sets[k + 1]
-    t = (flow.mach - low.mach_0) / (high.mach_0 - low.mach_0)
-    below = derivative_loads(low, flow._replace(mach=low.mach_0), surfaces)  # without its Mach derivatives
-    above = derivative_loads(high, flow._replace(mach=high.mach_0), surfaces)
-    CL, CD, Cm = (t * (1.0 - t) * ((1.0 - t) * b - t * e) for b, e in zip(*a.bends[k], strict=True))
-    qS = flow.qbar * low.S
-    ca, sa = cos(flow.alpha), sin(flow.alpha)
-    X, Y, Z, L, M, N, *of_alpha_dot = (b + t * (e - b) for b, e in zip(below, above, strict=True))
+    return loads_between(a.pieces[k], flow, surfaces)
+
+
+def loads_between(a: Between, flow: Flow, surfaces: Surfaces) -> AirLoads:
+    """The loads between two conditions; beyond them those of the nearest, whose Mach derivatives act there."""
+    slower, faster = flow.mach - a.low.mach_0, flow.mach - a.high.mach_0
+    t = slower / (a.high.mach_0 - a.low.mach_0)
+    t = where(t.real < 0.0, 0.0, where(t.real > 1.0, 1.0, t))
+    s = 1.0 - t
+    below = derivative_loads(a.low, _at_mach(flow, a.low.mach_0 + where(slower.real < 0.0, slower, 0.0)), surfaces)
+    above = derivative_loads(a.high, _at_mach(flow, a.high.mach_0 + where(faster.real > 0.0, faster, 0.0)), surfaces)
+    of_low, of_high = a.bend.below, a.bend.above
+    qS, ca, sa = flow.qbar * a.low.S * s * t, cos(flow.alpha), sin(flow.alpha)
+    lift, drag = qS * (s * of_low.CL - t * of_high.CL), qS * (s * of_low.CD - t * of_high.CD)
     return AirLoads(
-        X + qS * (CL * sa - CD * ca),
-        Y,
-        Z - qS * (CL * ca + CD * sa),
-        L,
-        M + qS * low.c * Cm,
-        N,
-        *of_alpha_dot,
+        s * below.X + t * above.X + lift * sa - drag * ca,
+        s * below.Y + t * above.Y,
+        s * below.Z + t * above.Z - lift * ca - drag * sa,
+        s * below.L + t * above.L,
+        s * below.M + t * above.M + qS * a.low.c * (s * of_low.Cm - t * of_high.Cm),
+        s * below.N + t * above.N,
+        s * below.lift_alphadot + t * above.lift_alphadot,
+        s * below.M_alphadot + t * above.M_alphadot,
     )
+
+
+def _at_mach(f: Flow, mach: Number) -> Flow:
+    """The same flow with another Mach number: at that of its condition, Mach derivatives do nothing."""
+    return Flow(f.V, f.u, f.v, f.w, f.alpha, f.beta, f.p, f.q, f.r, f.rho, mach, f.qbar)
