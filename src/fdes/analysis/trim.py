@@ -127,6 +127,6 @@ def _still_accelerating(point: TrimPoint) -> str:
         (d.q, "rad/s^2", "in pitch", "in pitch"),
         (d.r, "rad/s^2", "in yaw", "in yaw"),
     ]
-    said = [f"{abs(a):.2g} {unit} {up if a > 0.0 else under}" for a, unit, up, under in kinds if abs(a) > CLEARLY]
-    left = " and ".join(said) or f"{point.residual:.2g} m/s^2 or rad/s^2"
-    return f"{point.alpha / DEG:.3g} deg, still accelerates by {left}"
+    clearly = min(CLEARLY, 0.5 * max(abs(a) for a, *_ in kinds))
+    said = [f"{abs(a):.2g} {unit} {up if a > 0.0 else under}" for a, unit, up, under in kinds if abs(a) > clearly]
+    return f"{point.alpha / DEG:.3g} deg, still accelerates by {' and '.join(said)}"

@@ -164,9 +164,6 @@ def _problem(plant: SixDof, spec: TrimSpec, alpha: float) -> Problem:
         names[1], start["phi"] = "beta", spec.slip_bank
     if spec.throttle is not None:
         names[4], start["throttle"] = "gamma", spec.throttle
-    if spec.n is not None:
-        names.append("q")
-        start["q"] = g * (spec.n - cos(spec.gamma)) / V
     if spec.n_turn is not None:
         names.append("turn")
         across = sqrt(spec.n_turn * spec.n_turn - 1.0) * (-1.0 if spec.n_turn < 0.0 else 1.0)
@@ -174,7 +171,8 @@ def _problem(plant: SixDof, spec: TrimSpec, alpha: float) -> Problem:
     if spec.n_y is not None:
         names.append("beta")
     known = Flight(V, spec.h, spec.gamma, elevator=0.0, aileron=0.0, rudder=0.0, **start)
-    free = plant._replace(limits=FREE, rest=Surfaces())
+    day = plant.atmosphere(spec.h, plant.warmer)  # once: no unknown changes the height
+    free = plant._replace(limits=FREE, rest=Surfaces(), atmosphere=lambda _h, _warmer: day)
     level = not (spec.turn or spec.beta or spec.n_y or {"turn", "beta"} & set(names))
     return Problem(free, spec, known, tuple(Flight._fields.index(name) for name in names), level)
 
@@ -225,17 +223,26 @@ def _equations(problem: Problem, z: Sequence[float]) -> list[float]:
     for k, v in zip(unknown, z, strict=True):
         values[k] = v
     flight = Flight._make(values)
-    x, theta = state_of(flight)
+    x, theta = _state(problem, flight)
     held = Surfaces(flight.elevator, flight.aileron, flight.rudder, flight.throttle)
     rate = plant.derivative(x._replace(power=plant.settled(plant.engine, held.throttle)), held, CALM)
     found = [rate.u, rate.v, rate.w, rate.p, rate.q, rate.r]
     # Load factors of a steady flight are kinematics: Stevens et al., eq. 1.7-18, u_dot, v_dot and w_dot being zero.
-    n_z = spec.n if spec.n is not None else abs(spec.n_turn) if spec.n_turn is not None else None
-    if n_z is not None:
-        found.append(x.q * x.u - x.p * x.v + plant.earth.g * cos(theta) * cos(flight.phi) - G0 * n_z)
+    if spec.n_turn is not None:
+        weight = plant.earth.g * cos(theta) * cos(flight.phi)
+        found.append(x.q * x.u - x.p * x.v + weight - G0 * abs(spec.n_turn))
     if spec.n_y is not None:
         found.append(x.r * x.u - x.p * x.w - plant.earth.g * cos(theta) * sin(flight.phi) - G0 * spec.n_y)
     return found
+
+
+def _state(problem: Problem, flight: Flight) -> tuple[State, float]:
+    """`state_of`, with the pitch rate of a load factor where one is asked for: there w_dot is zero."""
+    x, theta = state_of(flight)
+    n = problem.spec.n
+    if n is None:
+        return x, theta
+    return x._replace(q=(G0 * n - problem.plant.earth.g * cos(theta) * cos(flight.phi)) / x.u), theta
 
 
 def state_of(flight: Flight) -> tuple[State, float]:
@@ -260,10 +267,12 @@ def _point(
 ) -> TrimPoint:
     values = dict(zip((Flight._fields[k] for k in problem.unknown), z.tolist(), strict=True))
     flight = problem.known._replace(**values)
-    state, theta = state_of(flight)
+    state, theta = _state(problem, flight)
     surfaces = Surfaces(flight.elevator, flight.aileron, flight.rudder, flight.throttle)
     state = state._replace(power=plant.settled(plant.engine, surfaces.throttle))
-    spec = TrimSpec(flight.V, flight.h, flight.gamma, flight.turn, flight.beta, flight.q)
+    spec = TrimSpec(
+        flight.V, flight.h, flight.gamma, flight.turn, flight.beta, flight.q if problem.spec.n is None else state.q
+    )
     flown = plant._replace(initial=state, rest=surfaces)
     return TrimPoint(
         spec, flight.alpha, flight.phi, theta, surfaces, state, _size(left), iterations, flown, problem.spec
