@@ -80,11 +80,28 @@ def test_a_remapped_and_inverted_axis_obeys(open_page: Any) -> None:
     assert drawn(page)["stick_roll"] == pytest.approx(-1.0)
 
 
-@pytest.mark.parametrize("rubbish", [7, {"roll": {"axis": "x"}, "deadZone": -4, "curve": None}, {"roll": None}])
+@pytest.mark.parametrize(
+    "rubbish",
+    [
+        7,
+        {"roll": {"axis": "x"}, "deadZone": -4, "curve": None, "actions": {"freeze": "9"}},
+        {"roll": None, "actions": {"freeze": 9000, "constructor": 5}},
+        {"roll": {"axis": 0, "center": 0.95, "low": 0.99, "high": -7}, "actions": [5]},
+    ],
+)
 def test_rubbish_in_the_store_leaves_the_usual_mapping(open_page: Any, rubbish: Any) -> None:
-    page = open_page(remembering(rubbish))
+    page = open_page("localStorage.setItem('fdes.control', 'pedals');" + remembering(rubbish))
+    page.evaluate("() => window.pad.buttons[5].value = 1")
     axis(page, 0, 1.0)
     assert drawn(page)["stick_roll"] == pytest.approx(1.0)
+
+
+def test_the_button_that_wakes_a_pad_does_nothing_else(open_page: Any) -> None:
+    page = open_page(INJECT + "window.asleep = window.pad; window.pad = null;")
+    page.evaluate("() => { window.pad = window.asleep; window.pad.buttons[9].value = 1 }")
+    page.get_by_text("Test Pad flies.").wait_for()
+    page.wait_for_timeout(400)
+    assert page.locator("#freeze-word").inner_text() == "Freeze"
 
 
 def test_unplugging_centers_the_stick_and_says_so(open_page: Any) -> None:

@@ -7,6 +7,9 @@ from axe_playwright_python.sync_playwright import Axe
 
 READY = "() => window.fdes && window.fdes.stats.frames > 5"
 ROLL = "() => window.fdes.drawn.stick_roll"
+FRAMES = """async () => {  // in which the page looks at the pad
+  for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+}"""
 PADS = """
 const made = (id, index, mapping, axes, buttons) => ({ id, index, connected: true, mapping, axes: Array(axes).fill(0),
   buttons: Array.from({ length: buttons }, () => ({ value: 0, pressed: false })) });
@@ -38,11 +41,11 @@ class Student:
 
     def axis(self, number: int, value: float) -> None:
         self.page.evaluate(f"() => window.pad.axes[{number}] = {value}")
-        self.page.wait_for_timeout(150)  # a few frames, in which the page looks
+        self.page.evaluate(FRAMES)
 
     def button(self, number: int, value: float) -> None:
         self.page.evaluate(f"() => window.pad.buttons[{number}].value = {value}")
-        self.page.wait_for_timeout(150)
+        self.page.evaluate(FRAMES)
 
     def press(self, name: str) -> None:
         self.page.get_by_role("button", name=name, exact=True).click()
@@ -80,8 +83,7 @@ def test_the_axis_moved_furthest_is_assigned_with_its_sense_and_remembered(stude
     student.open_dialog()
     student.press("Assign roll")
     student.sees("Move the stick fully right, or press the button that is to bank right.")
-    student.axis(1, 0.6)
-    student.axis(3, -1.0)
+    student.page.evaluate("() => { window.pad.axes[1] = 0.6; window.pad.axes[3] = -1 }")
     student.sees("Axis 3 moves roll.")
     assert student.row("roll") == "Axis 3, inverted"
     assert student.figures("roll") == "right 100 % → 100 %"
@@ -133,6 +135,7 @@ def test_a_short_and_crooked_travel_is_measured(student: Student) -> None:
     student.press("Next")
     for value in (-0.7, 0.9, 0.1):
         student.axis(0, value)
+    assert student.figures("roll") == "\N{MINUS SIGN}0.70 to 0.90"
     student.press("Done")
     student.sees("Measured: roll. Not moved far enough, and left as before: pitch.")
     for value, words in ((0.9, "right 100 % → 100 %"), (-0.7, "left 100 % → 100 %"), (0.1, "0 %")):

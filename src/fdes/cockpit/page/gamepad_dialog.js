@@ -36,7 +36,8 @@ export class GamepadDialog {
     this.facts = html("small", {});
     this.rows = CONTROLS.map((control) => new ControlRow(control, () => this.assign({ control }), (invert) => this.alter(control, { invert })));
     this.actions = KEYS.map((entry) => new ActionRow(entry, () => this.assign({ action: entry.action }), () => this.setAction(entry.action, null)));
-    this.says = html("p", { class: "pad-says", role: "status" });
+    this.says = html("p", { role: "status" });
+    this.escape = html("small", { hidden: true }, html("kbd", {}, "Esc"), " cancels");
     this.next = button("Calibrate", () => this.calibrate());
     this.stop = button("Cancel", () => this.cancel());
     this.reset = button("Reset to usual mapping", () => this.toUsual());
@@ -55,7 +56,7 @@ export class GamepadDialog {
         { "aria-label": "What moves what" },
         html("div", { class: "pad-device" }, this.device.label, this.facts),
         this.rows.map(({ element }) => element),
-        this.says,
+        html("div", { class: "pad-says" }, this.says, this.escape),
         html("div", { class: "button-row" }, this.next, this.stop, this.reset),
       ),
       html("section", { class: "pad-feel", "aria-label": "Dead zone and curve" }, this.curve.element, this.live, this.feel.map(({ element }) => element)),
@@ -124,7 +125,7 @@ export class GamepadDialog {
     this.lost = this.gamepads.name;
     this.listDevices();
     if (this.waiting) this.listen(pad, now);
-    if (this.calibration?.moving) this.calibration.measure.follow(pad);
+    this.calibration?.measure?.follow(pad);
     if (this.gamepads.mapping !== this.shown) this.describe(pad);
     this.showLive();
     return undefined;
@@ -195,6 +196,8 @@ export class GamepadDialog {
       const raw = this.gamepads.raw(row.control);
       const isThrottle = row.control === "throttle"; // which is not shaped
       row.show(raw, isThrottle ? raw : this.gamepads.shaped(row.control), isThrottle && this.gamepads.hasLever);
+      const measured = this.calibration?.measure?.axes[this.gamepads.mapping[row.control].axis];
+      if (measured) row.showTravel(measured);
     }
     this.curve.show(this.gamepads.raw(furthest), this.gamepads.shaped(furthest));
     const words = `Point: ${SENSES[furthest].name.toLowerCase()}`;
@@ -253,10 +256,10 @@ export class GamepadDialog {
   calibrate() {
     if (!this.calibration) {
       this.cancel();
-      this.calibration = { moving: false };
+      this.calibration = { measure: null };
       this.tell(LET_GO);
-    } else if (!this.calibration.moving) {
-      this.calibration = { moving: true, measure: new Calibration(this.gamepads.pad) };
+    } else if (!this.calibration.measure) {
+      this.calibration.measure = new Calibration(this.gamepads.pad);
       this.tell(MOVE_ALL);
     } else this.takeTravels();
   }
@@ -295,9 +298,10 @@ export class GamepadDialog {
   tell(words, asks = true) {
     this.says.textContent = words;
     this.says.classList.toggle("asks", asks);
+    this.escape.hidden = !asks;
     for (const row of this.rows) row.wait(this.waiting !== null && this.waiting.control === row.control);
     if (this.gamepads.mapping) this.describeActions();
-    this.next.textContent = !this.calibration ? "Calibrate" : this.calibration.moving ? "Done" : "Next";
+    this.next.textContent = !this.calibration ? "Calibrate" : this.calibration.measure ? "Done" : "Next";
     this.stop.hidden = !this.calibration;
     this.reset.hidden = Boolean(this.calibration);
   }

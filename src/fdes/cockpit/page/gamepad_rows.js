@@ -30,6 +30,7 @@ export const SENSES = {
   },
 };
 
+const signed = (reading) => reading.toFixed(2).replace("-", "−");
 const percent = (share) => `${Math.round(100 * share)} %`;
 
 /** A label that is only written when it changes. */
@@ -80,6 +81,11 @@ export class ControlRow {
     const sense = this.sense.ends[raw > 0 ? 1 : 0];
     if (this.control === "throttle") return raw === 0 ? "as it stands" : `towards ${sense}`;
     return raw === 0 ? "0 %" : `${sense} ${percent(Math.abs(raw))} → ${percent(Math.abs(shaped))}`;
+  }
+
+  /** How far the axis of this control has been moved so far, as the device reads it. */
+  showTravel({ low, high }) {
+    write(this.figures, `${signed(low)} to ${signed(high)}`);
   }
 
   /** Whether this row waits for a movement. */
