@@ -44,6 +44,7 @@ BROWSER_OPTIONS = [
 ]
 STARTS_WITHIN = 30.0  # s
 ENDS_WITHIN = 10.0  # s
+TOUR_TAKEN = "try { localStorage.setItem('fdes.tour', 'done'); } catch {}"
 
 # How long one example takes depends on what else the computer does; that is not what a property says.
 hypothesis.settings.register_profile("fdes", deadline=None)
@@ -177,8 +178,26 @@ def cockpit(serve: Callable[..., Cockpit]) -> str:
     return serve().url
 
 
+class Browser:
+    """Chromium as somebody has it who knows the first-flight tour: it is over, but for contexts with `tour=True`."""
+
+    def __init__(self, chromium: Any) -> None:
+        self._chromium = chromium
+
+    def new_context(self, *, tour: bool = False, **options: Any) -> Any:
+        """A context of Playwright."""
+        context = self._chromium.new_context(**options)
+        if not tour:
+            context.add_init_script(TOUR_TAKEN)
+        return context
+
+    def new_page(self, **options: Any) -> Any:
+        """A page in a context of its own, which ends with the session."""
+        return self.new_context(**options).new_page()
+
+
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
+def browser() -> Iterator[Browser]:
     """Headless Chromium, one for the whole session; a test opens its own context or page."""
     path = find_chromium()
     if path is None:
@@ -187,5 +206,5 @@ def browser() -> Iterator[Any]:
 
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=path, args=BROWSER_OPTIONS)
-        yield chromium
+        yield Browser(chromium)
         chromium.close()

@@ -19,14 +19,17 @@ import { StripChart } from "./strip_chart.js";
 import { Tabs } from "./tabs.js";
 import { Theme } from "./theme.js";
 import { TopBar, sayState } from "./top_bar.js";
+import { beginsByItself } from "./tour_memory.js";
 import { clamp } from "./units.js";
 import { ViewBar } from "./view_bar.js";
 
+const TOUR_AFTER = 600; // ms: the first picture comes first
 const PLANT_SAYS = {
   linear: "Linear: small perturbations about trim.",
   nonlinear: "Nonlinear: six degrees of freedom; the stall is assumed. Modes and Levels are of the linearized aircraft.",
 };
 const query = new URLSearchParams(location.search);
+let tourIsDue = beginsByItself(query.get("tour")) && !location.hash.startsWith("#experiment="); // a link to an experiment is no first visit
 const theme = new Theme(query.get("theme"));
 const link = new Link(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${sessionName()}`);
 const stick = new StickInput();
@@ -234,6 +237,21 @@ async function openShared() {
   }
 }
 
+let tour = null; // fetched for a first visit, or from help
+
+async function takeTour() {
+  tourIsDue = false;
+  if (!cockpit.flying || link.has(FLAG.replay)) return topBar.say("The tour is flown: it begins where you fly yourself.");
+  try {
+    const { Tour } = await import("./tour.js");
+    tour?.end();
+    tour = new Tour({ link, cockpit, stick, view: document.querySelector(".view"), say: (words) => topBar.say(words) });
+  } catch (error) {
+    topBar.complain(`The tour could not be fetched. ${error.message}`);
+  }
+}
+document.addEventListener("take-tour", takeTour);
+
 let flown = null; // aircraft and condition, to know whether a message brings another one
 let flownPlant = null;
 let trimLever = 0; // which holds undisturbed flight: it is not quite the same with the other plant
@@ -253,6 +271,7 @@ link.on("frame", ({ values, index }) => {
   seated = true;
   stick.stick.throttle = values[index.stick_throttle];
   cockpit.flying = pilot;
+  if (tourIsDue && pilot && !link.has(FLAG.replay)) setTimeout(takeTour, TOUR_AFTER);
 });
 link.on("aircraft", (aircraft) => {
   const now = [aircraft.id, aircraft.condition, aircraft.variant, aircraft.form, aircraft.integrator, aircraft.dt].join(" ");

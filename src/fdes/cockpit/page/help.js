@@ -52,8 +52,14 @@ const table = (title, rows) =>
     ),
   );
 
+function takeTour(help) {
+  help.close();
+  document.dispatchEvent(new Event("take-tour"));
+}
+
 export function fillHelp(dialog) {
   dialog.querySelector(".dialog-body").append(
+    html("button", { type: "button", class: "take-tour", onclick: () => takeTour(dialog) }, "Take the first-flight tour"),
     html("div", { class: "key-tables" }, table("Stick, pedals, throttle", STICK), table("Simulation", KEYS)),
     html("h3", {}, "Flying"),
     html(
