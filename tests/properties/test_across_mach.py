@@ -4,6 +4,8 @@ import tomllib
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
 
 from fdes.aircraft import Aircraft, FlightCondition, edited, load, parse
 from fdes.aircraft.load import HANGAR
@@ -18,9 +20,9 @@ from fdes.physics.across_mach import AcrossMach, Between, conditions_of, loads_b
 from fdes.physics.aero import Flow, derivative_loads
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import dimensional, matrices
-from fdes.physics.plant import SixDof
+from fdes.physics.plant import SixDof, state_at
 from fdes.physics.rigid_body import Inertia
-from fdes.physics.signals import Surfaces
+from fdes.physics.signals import Air, Surfaces
 from fdes.units import DEG
 
 ENDS = ("M0.4_SL", "M0.8_35kft")
@@ -208,3 +210,19 @@ def test_three_conditions_are_two_pieces_that_meet_without_a_kink() -> None:
     assert plant.aerodynamics(plant.aero, at._replace(mach=0.5), held) == loads_between(
         slower.aero, at._replace(mach=0.5), held
     )
+
+
+SPEEDS, ANGLES, HEIGHTS = some.floats(0.0, 700.0), some.floats(-3.2, 3.2), some.floats(-4000.0, 80000.0)
+SURFACES = some.builds(Surfaces, *[some.floats(-1.0, 1.0)] * 3, some.floats(-0.5, 1.5))
+WHOLE = six_dof_of(load("A-4D").at(across="mach", spool=True))
+
+
+@settings(max_examples=150, deadline=None)
+@given(SPEEDS, ANGLES, some.floats(-1.5, 1.5), HEIGHTS, some.tuples(*[some.floats(-6.0, 6.0)] * 3), SURFACES)
+def test_no_state_of_the_envelope_gives_what_is_no_number(
+    V: float, alpha: float, beta: float, h: float, rates: tuple[float, float, float], held: Surfaces
+) -> None:
+    still = state_at(WHOLE.earth, (0.0, 0.0, h), (0.0, 0.0, 0.0), (0.3, 0.2, 0.1), rates)
+    x = still._replace(u=V * np.cos(alpha) * np.cos(beta), v=V * np.sin(beta), w=V * np.sin(alpha) * np.cos(beta))
+    assert np.isfinite(WHOLE.observe(x, held, Air())).all()
+    assert np.isfinite(WHOLE.advance(x, held, Air(), 1.0 / 120.0)).all()
