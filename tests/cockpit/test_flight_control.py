@@ -134,6 +134,50 @@ def test_the_diagram_shows_signals_and_surfaces_at_their_limits(page: Any) -> No
     assert page.get_by_text("δe actuator").count() == 1
 
 
+def enter(page: Any, label: str, value: str) -> None:
+    field = page.get_by_label(label, exact=True)
+    field.fill(value)
+    field.press("Enter")
+
+
+def test_sensors_are_entered_in_seconds_or_frames_and_drawn_with_what_they_say(page: Any) -> None:
+    enter(page, "Sensor lag", "0.05")
+    assert "lag and delay come with the first" in page.locator("#panel-control .problem").inner_text()
+    engage(page, "yaw_damper")
+    page.wait_for_function("() => window.fdes.link.latest.get('control').gains.sensors?.lag === 0.05")
+    page.get_by_label("Unit of the sensor delay").select_option("frames")
+    enter(page, "Sensor delay", "30")
+    page.wait_for_function(
+        "() => Math.abs(window.fdes.link.latest.get('control').gains.sensors.delay - 30 / 120) < 1e-12"
+    )
+    page.get_by_label("Unit of the sensor delay").select_option("s")
+    assert page.get_by_label("Sensor delay", exact=True).input_value() == "0.25"
+    enter(page, "Sensor delay", "a while")
+    page.wait_for_function("() => document.querySelector('#panel-control .problem').textContent.includes('a while')")
+    assert told(page, "control")["gains"]["sensors"] == {"lag": 0.05, "delay": 0.25}
+    page.get_by_role("tab", name="Block diagram").click()
+    drawn = page.locator(".diagram").text_content()
+    assert "lag 50 ms" in drawn
+    assert "delay 250 ms" in drawn
+    behind = page.evaluate(
+        """async () => {
+          const { link } = window.fdes;
+          await link.command("input", { text: "ramp rudder 5deg for 4s" });
+          const { Sensed } = await import("/page/sensed.js");
+          const sensed = new Sensed(["r"], { lag: 0.1, delay: 0.2 });
+          let said;
+          for (let k = 0; k <= 240; k++) said = sensed.of({ t: k / 60, r: 0.5 * (k / 60), p: 7 });
+          return { said, truth: 0.5 * 4 };
+        }"""
+    )
+    assert behind["said"]["r"] == pytest.approx(behind["truth"] - 0.5 * 0.3, abs=0.5 / 60)
+    assert behind["said"]["p"] == 7
+    page.keyboard.press("l")
+    page.wait_for_function(DIRECT)
+    page.keyboard.press("l")
+    page.wait_for_function("() => window.fdes.link.latest.get('control').gains.sensors?.delay === 0.25")
+
+
 def test_it_is_accessible_and_nothing_is_cut_off(page: Any) -> None:
     for theme in ("dark", "light"):
         page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
@@ -148,6 +192,7 @@ def test_it_is_accessible_and_nothing_is_cut_off(page: Any) -> None:
             }"""
         )
         page.get_by_role("tab", name="Laws").click()
+        enter(page, "Sensor lag", "0.02")
 
 
 def test_a_path_is_no_law(page: Any) -> None:

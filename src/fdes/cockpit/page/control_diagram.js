@@ -5,6 +5,7 @@
 
 import { html, svg } from "./dom.js";
 import { FLAG } from "./link.js";
+import { Sensed } from "./sensed.js";
 import { DEG, clamp, degrees, figure } from "./units.js";
 
 const PERIOD = 90; // ms from one writing of the values to the next
@@ -14,6 +15,8 @@ const WIDTH = 362;
 const X = { source: 2, shape: 38, error: 97, gain: 110, sum: 170, stop: 190, actuator: 222, aircraft: 298 };
 const FORWARD = 33; // px from the top of a lane to its forward path
 const ROW = 28; // px from one path to the next
+const SENSOR = { room: 66, width: 52, row: 40 }; // px that sensors add to the width, their own, and from path to path
+const MEASURED = ["p", "q", "r", "phi"];
 const LANES = [
   { surface: "elevator", stick: "stick_pitch", word: "Stick", symbol: "δe" },
   { surface: "aileron", stick: "stick_roll", word: "Stick", symbol: "δa" },
@@ -30,7 +33,7 @@ const LOOPS = {
 export class ControlDiagram {
   /** `host` holds the drawing; `link` is the wire. */
   constructor(host, link) {
-    Object.assign(this, { host, link, aircraft: null, control: null, values: [], written: 0, before: null, marks: new Map() });
+    Object.assign(this, { host, link, aircraft: null, control: null, values: [], written: 0, before: null, marks: new Map(), sensed: null });
     this.state = html("p", { class: "diagram-state number", role: "status" });
     link.on("frame", () => this.update());
   }
@@ -49,14 +52,19 @@ export class ControlDiagram {
     if (!this.aircraft || !this.control) return;
     this.values = [];
     this.marks.clear();
+    const { sensors } = this.control.gains;
+    this.right = X.aircraft + (sensors ? SENSOR.room : 0);
+    if (!sensors) this.sensed = null;
+    else if (this.sensed?.lag !== sensors.lag || this.sensed.delay !== sensors.delay) this.sensed = new Sensed(MEASURED, sensors);
+    const wide = WIDTH + this.right - X.aircraft;
     const drawing = svg("svg", { class: "diagram", role: "img", "aria-label": "Block diagram of the flight control system in use" });
     let top = 0;
     for (const lane of LANES) top = this.lane(drawing, lane, top);
-    drawing.setAttribute("viewBox", `0 0 ${WIDTH} ${top + 2}`);
+    drawing.setAttribute("viewBox", `0 0 ${wide} ${top + 2}`);
     drawing.append(
-      text(X.aircraft + (WIDTH - X.aircraft) / 2 - 1, 14, "Aircraft", "d-middle"),
+      text(this.right + (wide - this.right) / 2 - 1, 14, "Aircraft", "d-middle"),
     );
-    drawing.prepend(svg("rect", { class: "d-block", x: X.aircraft, y: 2, width: WIDTH - X.aircraft - 1, height: top - 4, rx: 5 }));
+    drawing.prepend(svg("rect", { class: "d-block", x: this.right, y: 2, width: wide - this.right - 1, height: top - 4, rx: 5 }));
     this.host.replaceChildren(drawing, this.state);
     this.update();
   }
@@ -79,22 +87,36 @@ export class ControlDiagram {
     this.value(drawing, X.sum - 3, y - 17, (v) => (v[`excitation_${lane.surface}`] ? angle(v[`excitation_${lane.surface}`]) : ""), "d-quiet d-end");
     drawing.append(wire([[X.sum, y - 16], [X.sum, y - 8]], true));
     this.actuation(drawing, lane, y);
-    let row = y + ROW;
+    const apart = this.sensed ? SENSOR.row : ROW;
+    let row = y + apart;
     const rows = loops.map(([name, loop]) => ({ ...loop, settings: gains[name], name }));
     if (commands?.rate_gain) rows.push({ signal: "p", sign: "−", name: "rate", settings: { gain: commands.rate_gain }, adds: (s, v) => -s.gain * v.p });
     rows.forEach((loop, i) => {
       this.feedback(drawing, lane, loop, row, i === rows.length - 1);
       if (i === rows.length - 1) drawing.append(wire([[X.sum, row], [X.sum, y + 8]], true));
-      row += ROW;
+      row += apart;
     });
     if (commands) {
       const signal = lane.surface === "elevator" ? "q" : "phi";
-      drawing.append(wire([[X.aircraft, row], [X.error, row], [X.error, y + 8]], true), text(X.error + 5, y + 18, lane.surface === "elevator" ? "+" : "−"));
-      this.value(drawing, X.aircraft + 4, row + 3.5, (v) => measured(signal, v));
-      row += ROW;
+      drawing.append(wire([[this.sensor(drawing, signal, row), row], [X.error, row], [X.error, y + 8]], true), text(X.error + 5, y + 18, lane.surface === "elevator" ? "+" : "−"));
+      this.value(drawing, this.right + 4, row + 3.5, (v) => measured(signal, v));
+      row += apart;
     }
     drawing.append(sum(X.sum, y));
-    return row - ROW + 16;
+    return row - apart + 16;
+  }
+
+  /** Lag and delay of one signal, and what comes out of them; returns where the path goes on to the left. */
+  sensor(drawing, signal, y) {
+    if (!this.sensed) return this.right;
+    const { lag, delay } = this.sensed;
+    const left = this.right - SENSOR.width - 7;
+    const words = [lag ? `lag ${milliseconds(lag)}` : "", delay ? `delay ${milliseconds(delay)}` : ""].filter(Boolean);
+    const sensor = block(left, y, SENSOR.width);
+    words.forEach((line, i) => sensor.append(text(left + SENSOR.width / 2, y + (words.length === 1 ? 3 : i ? 8.5 : -1.5), line, "d-middle d-small")));
+    drawing.append(wire([[this.right, y], [left + SENSOR.width, y]], true), sensor);
+    this.value(drawing, left + SENSOR.width / 2, y - 15, (v, seen) => measured(signal, seen), "d-middle");
+    return left;
   }
 
   /** The stick in its new role: what it commands, the error, and the controller. */
@@ -130,34 +152,34 @@ export class ControlDiagram {
     if (actuators.on) {
       const b = figure(actuators.bandwidth, 2);
       const actuator = block(X.actuator, y, 40, b, `s + ${b}`);
-      drawing.append(wire([[X.stop + 22, y], [X.actuator, y]], true), actuator, wire([[X.actuator + 40, y], [X.aircraft, y]], true));
+      drawing.append(wire([[X.stop + 22, y], [X.actuator, y]], true), actuator, wire([[X.actuator + 40, y], [this.right, y]], true));
       this.marks.set(`${lane.surface} at its rate limit`, {
         element: actuator,
         until: 0,
         is: (v, rate) => Math.abs(rate(lane.surface)) >= NEAR * actuators.rate_limit,
       });
-    } else drawing.append(wire([[X.stop + 22, y], [X.aircraft, y]], true));
-    this.value(drawing, X.aircraft + 4, y + 3.5, (v) => `${lane.symbol} ${angle(v[lane.surface])}`);
+    } else drawing.append(wire([[X.stop + 22, y], [this.right, y]], true));
+    this.value(drawing, this.right + 4, y + 3.5, (v) => `${lane.symbol} ${angle(v[lane.surface])}`);
   }
 
   /** One path back to the sum; the last one turns up to it, the others join it on the way. */
   feedback(drawing, lane, { signal, sign, before, settings, adds }, y, last) {
     const words = before?.(settings);
     const gain = X.sum + 20;
-    drawing.append(wire([[X.aircraft, y], [words ? gain + 96 : gain + 42, y]], true), block(gain, y, 42, figure(settings.gain)), wire([[gain, y], [X.sum + (last ? 0 : 4), y]], !last));
+    drawing.append(wire([[this.sensor(drawing, signal, y), y], [words ? gain + 96 : gain + 42, y]], true), block(gain, y, 42, figure(settings.gain)), wire([[gain, y], [X.sum + (last ? 0 : 4), y]], !last));
     if (words) drawing.append(block(gain + 54, y, 42, ...words), wire([[gain + 54, y], [gain + 42, y]], true));
     if (!last) drawing.append(svg("circle", { class: "d-sum", cx: X.sum, cy: y, r: 3.5 }));
     drawing.append(text(X.sum + 6, y - 5, sign));
-    this.value(drawing, X.aircraft + 4, y + 3.5, (v) => measured(signal, v));
+    this.value(drawing, this.right + 4, y + 3.5, (v) => measured(signal, v));
     const others = Object.entries(LOOPS).filter(([, loop]) => loop.surface === lane.surface && loop.adds);
     const full = this.aircraft.full_stick[lane.surface];
     // What has a memory is what remains of the command when all else is taken off.
-    const rest = (v) =>
+    const rest = (v, seen) =>
       v[`command_${lane.surface}`] -
       v[`excitation_${lane.surface}`] -
       full * v[lane.stick] -
-      others.reduce((total, [name, loop]) => total + (this.control.gains[name] ? loop.adds(this.control.gains[name], v) : 0), 0);
-    this.value(drawing, X.sum - 6, y - 4, (v) => angle(adds ? adds(settings, v) : rest(v)), "d-end");
+      others.reduce((total, [name, loop]) => total + (this.control.gains[name] ? loop.adds(this.control.gains[name], seen) : 0), 0);
+    this.value(drawing, X.sum - 6, y - 4, (v, seen) => angle(adds ? adds(settings, seen) : rest(v, seen)), "d-end");
   }
 
   value(drawing, x, y, words, kind = "") {
@@ -172,11 +194,12 @@ export class ControlDiagram {
     if (!this.values.length || !this.link.frames || this.host.hidden || !this.host.offsetParent) return;
     const v = this.link.copyTo({});
     v.t = this.link.t;
+    const seen = this.sensed?.of(v) ?? v;
     this.mark(v, now);
     if (now - this.written < PERIOD) return;
     this.written = now;
     for (const { element, words } of this.values) {
-      const said = words(v);
+      const said = words(v, seen);
       if (element.textContent !== said) element.textContent = said;
     }
   }
@@ -203,6 +226,7 @@ const angle = (radians) => {
   const value = clamp(degrees(radians), -999, 999);
   return `${Math.abs(value) < 0.005 ? "0.00" : value.toFixed(Math.abs(value) < 10 ? 2 : 1)}°`.replace("-", "−");
 };
+const milliseconds = (seconds) => `${figure(1000 * seconds, 2)} ms`;
 const measured = (signal, v) => (signal === "phi" ? `φ ${angle(v.phi)}` : `${signal} ${angle(v[signal])}/s`);
 
 function text(x, y, words, kind = "") {

@@ -4,10 +4,12 @@ import { ControlDiagram } from "./control_diagram.js";
 import { fetchStyle, html } from "./dom.js";
 import { button, choice } from "./fields.js";
 import { LawCard } from "./law_card.js";
+import { SensorFields } from "./sensor_fields.js";
 import { Tabs } from "./tabs.js";
 import { degrees, figure } from "./units.js";
 
 const NONE = "direct";
+const SENSORS = "sensors"; // said last: they are before all laws
 const PERIOD = 60; // ms from law to law while a slider moves
 const FIRST = "yaw_damper"; // what the key engages before anything was chosen
 // In the order in which loops are closed, the innermost first.
@@ -42,7 +44,14 @@ export class FlightControl {
     this.domain.select.addEventListener("change", () => this.again());
     this.actuators = html("input", { type: "checkbox", id: "actuators", onchange: () => this.say("actuators", { on: this.actuators.checked }) });
     this.actuatorWords = html("label", { for: "actuators", class: "number" }, "Actuators");
-    this.settings = html("div", { class: "law-tools" }, this.domain.label, html("span", { class: "law-actuators" }, this.actuators, this.actuatorWords));
+    this.sensors = new SensorFields(() => this.sense());
+    this.settings = html(
+      "div",
+      { class: "law-tools" },
+      this.domain.label,
+      html("span", { class: "law-actuators" }, this.actuators, this.actuatorWords),
+      this.sensors.element,
+    );
     this.list = html("div", { role: "tabpanel", id: "laws-list", "aria-labelledby": "tab-laws-list", tabindex: 0 });
     this.drawing = html("div", { role: "tabpanel", id: "laws-diagram", "aria-labelledby": "tab-laws-diagram", tabindex: 0 });
     const tabs = html(
@@ -69,7 +78,7 @@ export class FlightControl {
       this.list.replaceChildren(this.settings, this.notes, ...[...this.cards.values()].map(({ element }) => element));
     }
     for (const card of this.cards.values()) card.forget();
-    this.last = namesOf(this.last).join("; ");
+    this.last = namesOf(this.last).filter((name) => name !== SENSORS).join("; ");
     if (this.control) this.show(this.control);
   }
 
@@ -77,8 +86,11 @@ export class FlightControl {
     this.control = control;
     const parts = new Map(control.text.split(";").map((part) => [part.trim().split(" ")[0], part.trim()]));
     const on = control.text !== NONE;
-    if (on) this.last = control.text;
-    this.others = on ? [...parts].filter(([name]) => !(name in WORDS)).map(([, part]) => part) : []; // such as sensors
+    if (on) {
+      this.last = [...parts].filter(([name]) => name !== SENSORS).map(([, part]) => part).join("; ");
+      this.sensors.show(control.gains[SENSORS] ?? { lag: 0, delay: 0 }, control.frame);
+    }
+    this.others = on ? [...parts].filter(([name]) => !(name in WORDS) && name !== SENSORS).map(([, part]) => part) : []; // one's own
     if (!this.busy) {
       for (const [name, card] of this.cards) {
         const achieved = control.achieved.find(({ law }) => law === name);
@@ -102,6 +114,15 @@ export class FlightControl {
     return this.fly([...[...this.cards].map(([other, { part }]) => (other === name ? text : part)), ...this.others].filter(Boolean));
   }
 
+  /** Other sensors, for the laws as they are. With none engaged they come with the first. */
+  sense() {
+    const laws = [...[...this.cards.values()].map(({ part }) => part), ...this.others].filter(Boolean);
+    if (laws.length) return this.fly(laws, this.sensors.entered());
+    this.sensors.keep();
+    this.problem.textContent = this.sensors.text() ? "No law measures anything yet: lag and delay come with the first that is engaged." : "";
+    return true;
+  }
+
   /** All on, as they were last, or all off. Resolves to a sentence that says which. */
   async toggle() {
     const off = this.control && this.control.text !== NONE;
@@ -115,8 +136,8 @@ export class FlightControl {
     return this.fly([...[...this.cards.values()].map((card) => card.part && card.again()), ...this.others].filter(Boolean));
   }
 
-  fly(parts) {
-    const text = parts.join("; ") || NONE;
+  fly(parts, sensors = this.sensors.text()) {
+    const text = parts.length ? [...parts, sensors].filter(Boolean).join("; ") : NONE;
     return this.say("law", { text, sampled: this.domain.select.value === "z" });
   }
 
