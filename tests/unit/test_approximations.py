@@ -7,6 +7,8 @@ import pytest
 from fdes.aircraft import catalogue, load
 from fdes.analysis import modes
 from fdes.analysis.approximations import approximate_modes, static_figures
+from fdes.analysis.linearize import linear_model
+from fdes.analysis.measured import measure
 
 
 @pytest.mark.parametrize("name", ["short_period", "roll", "dutch_roll"])
@@ -45,4 +47,6 @@ def test_level_flight_needs_the_load_factor_that_alpha_gives() -> None:
             continue
         figures = static_figures(condition)
         k = condition.coefficients
-        assert figures.n_alpha == pytest.approx(k.CL_alpha / k.CL, rel=0.2), aircraft.id
+        assert figures.n_alpha_lift == pytest.approx(k.CL_alpha / k.CL, rel=0.2), aircraft.id
+        assert figures.n_alpha == measure(linear_model(condition)).n_alpha, "as the qualities have it"
+        assert figures.n_alpha == pytest.approx(figures.n_alpha_lift, rel=0.25), aircraft.id

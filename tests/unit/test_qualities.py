@@ -67,6 +67,10 @@ def test_a_short_period_with_an_unstable_root_is_worse_than_level_3() -> None:
     assert found.level == 4
     assert found.value is not None
     assert found.value < 0.0
+    assert found.unit == "1/(g s^2)"
+    assert "two real roots, -2 and 0.5 1/s. That of 0.5 grows: it doubles in 1.39 s" in found.reason
+    assert "omega_sp^2 = -1 (rad/s)^2, the product of its two real roots" in found.reason
+    assert "omega_sp -" not in found.reason
     (phugoid,) = assess(model, IV_A, criteria=["mil_f_8785c_phugoid"])
     assert phugoid.value == pytest.approx(math.log(2.0) / 0.5)
     assert phugoid.level == 4

@@ -13,6 +13,8 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from fdes.aircraft import FlightCondition
+from fdes.analysis.linearize import linear_model
+from fdes.analysis.measured import n_alpha
 from fdes.analysis.mode_names import MERGED
 from fdes.analysis.modes import Mode, modes
 from fdes.physics.derivatives import Dimensional, Form, Reference, dimensional
@@ -182,8 +184,9 @@ class StaticFigures:
     """What balance and a steady pull-up or roll say of an aircraft, lengths in fractions of the mean chord.
 
     static_margin: -Cm_alpha / CL_alpha. maneuver_margin: with the damping of a pull-up. n_alpha: load factor per
-    radian of angle of attack [1/rad]. roll_rate: steady roll rate per radian of aileron [1/s], the same in
-    deg/s per degree; None without roll damping. The points need the center of gravity, and are None without it.
+    radian of angle of attack in a steady pull-up by elevator at constant speed [1/rad], as MIL-F-8785C means it
+    (pages 76 and 77); n_alpha_lift: q S CL_alpha / (m g), without the lift of the elevator [1/rad].
+    roll_rate: steady roll rate per radian of aileron [1/s], the same in deg/s per degree; None without roll damping. The points need the center of gravity, and are None without it.
     """
 
     static_margin: float
@@ -191,6 +194,7 @@ class StaticFigures:
     maneuver_margin: float
     maneuver_point: float | None
     n_alpha: float
+    n_alpha_lift: float
     roll_rate: float | None
 
 
@@ -210,6 +214,7 @@ def static_figures(condition: FlightCondition, cg: float | None = None) -> Stati
         neutral_point=None if cg is None else cg + static,
         maneuver_margin=maneuver,
         maneuver_point=None if cg is None else cg + maneuver,
-        n_alpha=qS * k.CL_alpha / (ref.m * ref.g),
+        n_alpha=n_alpha(linear_model(condition)),
+        n_alpha_lift=qS * k.CL_alpha / (ref.m * ref.g),
         roll_rate=-k.Cl_da / k.Cl_p * 2.0 * ref.V / ref.b if k.Cl_p else None,
     )

@@ -20,6 +20,17 @@ NEUTRAL = 1e-6  # rad/s: a slower real root, which takes more than a week to dou
 LN2 = math.log(2.0)
 
 
+def frequency_in_words(symbol: str, omega: float) -> str:
+    """A natural frequency [rad/s], or where `omega` is negative omega^2, the product of the two real roots.
+
+    >>> frequency_in_words("omega_sp", -1.06)
+    'omega_sp^2 = -1.12 (rad/s)^2, the product of its two real roots'
+    """
+    if omega > 0.0:
+        return f"{symbol} {omega:.3g} rad/s"
+    return f"{symbol}^2 = {-omega * omega:.3g} (rad/s)^2, the product of its two real roots"
+
+
 @dataclass(frozen=True)
 class Measured:
     """The quantities, SI; None where one is not known. `missing` says why, by name.
@@ -173,6 +184,9 @@ def _pair(family: str, named: Mapping[str, Mode], notes: dict[str, str]) -> tupl
     words = family.replace("_", " ")
     notes[family] = f"The {words} has split into two real roots, {a:.3g} and {b:.3g} 1/s."
     product = a * b
+    growing = max(a, b)
+    if growing > NEUTRAL:
+        notes[family] += f" That of {growing:.3g} grows: it doubles in {LN2 / growing:.3g} s, with no oscillation."
     if product <= 0.0:
         return Pair(-math.sqrt(-product), None), f"One of the two real roots of the {words} is unstable."
     return Pair(math.sqrt(product), -(a + b) / (2.0 * math.sqrt(product))), ""

@@ -192,7 +192,8 @@ def _static(figures: "StaticFigures", cg: float | None) -> str:
     if cg is not None and figures.neutral_point is not None and figures.maneuver_point is not None:
         lines += [f"neutral point     {100.0 * figures.neutral_point:6.1f} %  center of gravity at {100.0 * cg:.1f} %"]
         lines += [f"maneuver point    {100.0 * figures.maneuver_point:6.1f} %"]
-    lines += [f"n/alpha           {number(figures.n_alpha, DIGITS):>6} g/rad, by CL_alpha alone"]
+    n, of_lift = number(figures.n_alpha, DIGITS), number(figures.n_alpha_lift, DIGITS)
+    lines += [f"n/alpha           {n:>6} g/rad in a steady pull-up; {of_lift} by q S CL_alpha / W"]
     if figures.roll_rate is not None:
         rate = number(figures.roll_rate, DIGITS)
         lines += [f"steady roll rate  {rate:>6} deg/s per degree of aileron, rolling alone"]

@@ -8,9 +8,9 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from fdes.aircraft.role import Role
-from fdes.analysis.measured import Measured
+from fdes.analysis.measured import Measured, frequency_in_words
 from fdes.analysis.quality_charts import Boundary, Chart, ChartAxis, spaced
-from fdes.analysis.verdict import Band, Criterion, Requirement, Verdict, asked, worst
+from fdes.analysis.verdict import Band, Criterion, Requirement, Verdict, asked, graded, worst
 
 __all__ = ["DUTCH_ROLL"]
 
@@ -107,6 +107,10 @@ def _frequency(m: Measured, role: Role) -> Verdict:
     asks = Requirement(NAME, "dutch_roll", "rad/s", text, REFERENCE)
     if m.omega_dr is None:
         return asks.not_applicable(m.missing.get("omega_dr", "Without omega_dr the frequency is not judged."))
+    if m.omega_dr <= 0.0:
+        level, margin = graded(m.omega_dr, bands)
+        says = f"There is no omega_dr: {frequency_in_words('omega_dr', m.omega_dr)}."
+        return replace(asks, unit="(rad/s)^2").found(level, margin, -m.omega_dr * m.omega_dr, says)
     return asks.graded(m.omega_dr, bands, f"omega_dr is {m.omega_dr:.3g} rad/s")
 
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from fdes.aircraft.role import AirplaneClass, Category, Role
-from fdes.analysis.measured import Measured
+from fdes.analysis.measured import Measured, frequency_in_words
 from fdes.analysis.quality_charts import Boundary, Chart, ChartAxis, spaced
 from fdes.analysis.verdict import Band, Criterion, Requirement, Verdict, asked, worst
 
@@ -103,13 +103,13 @@ def _frequency(m: Measured, role: Role) -> list[Verdict]:
     if n_alpha <= 0.0:
         return [asks.not_applicable(f"n/alpha is {n_alpha:.3g} g/rad: figures 1 to 3 begin above zero.")]
     cap = control_anticipation(omega, n_alpha)
-    source = f"omega_sp {omega:.3g} rad/s and n/alpha {n_alpha:.3g} g/rad"
+    source = f"{frequency_in_words('omega_sp', omega)} and n/alpha {n_alpha:.3g} g/rad"
     parts = [asks.graded(cap, limits, f"CAP is {cap:#.3g} 1/(g s^2), from {source}")]
     for symbol, value, unit, bands in (
         ("omega_sp", omega, "rad/s", floors(role).omega),
         ("n/alpha", n_alpha, "g/rad", floors(role).n_alpha),
     ):
-        if bands != FREE:
+        if bands != FREE and (symbol != "omega_sp" or omega > 0.0):  # else CAP has said it
             beside = replace(asks, unit=unit, requirement=asked(symbol, bands, unit) + whose)
             parts.append(beside.graded(value, bands, f"{symbol} is {value:.3g} {unit}"))
     return parts
