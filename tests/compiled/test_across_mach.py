@@ -1,5 +1,7 @@
 """An aircraft between two conditions, with an engine that spools up, compiles as it stands."""
 
+from typing import Any
+
 import numpy as np
 
 from fdes.aircraft import load
@@ -23,6 +25,7 @@ def test_rates_and_slopes_are_those_of_the_plain_text_below_between_and_beyond()
     for one, x, u, rates, by in zip(plants, states, held, found.rates, found.by, strict=True):
         np.testing.assert_allclose(rates, one.derivative(x, u, Air()), rtol=1e-11, atol=1e-11)
         for column, name in enumerate(State._fields):
-            stepped = x._replace(**{name: complex(getattr(x, name), TINY)})
+            z: dict[str, Any] = {name: complex(getattr(x, name), TINY)}
+            stepped = x._replace(**z)
             slope = [complex(v).imag / TINY for v in one.derivative(stepped, u, Air())]
             np.testing.assert_allclose(by[:, column], slope, rtol=1e-10, atol=1e-10)
