@@ -14,7 +14,7 @@ import { ShapingCurve } from "./shaping_curve.js";
 
 const RESTING = "The pad moves its bars here, not the aircraft. Changes hold at once and are remembered for this device.";
 const LET_GO = "Let go of the stick and the pedals, so that they rest in their centers. Then press Next.";
-const MOVE_ALL = "Now move every stick, pedal and lever slowly from stop to stop, a few times. Then press Done.";
+const MOVE_ALL = "Move every stick, pedal and lever from stop to stop, a few times. Then press Done.";
 const PAD = "M30 18h40c14 0 20 8 23 24s3 26-5 28-14-12-22-14H34c-8 2-14 16-22 14s-8-12-5-28 9-24 23-24zM31 30v16M23 38h16M64 34h.1M72 40h.1M64 46h.1M56 40h.1";
 
 export class GamepadDialog {
