@@ -4,10 +4,13 @@ The search (`trim_search`) knows no stops: those of the surfaces are asked only 
 said by how much they fall short.
 """
 
+import math
+
 from fdes.analysis.trim_request import TrimSpec, in_words, must_be_possible, spec_of
 from fdes.analysis.trim_search import CALM, ENOUGH, FREE, ITERATIONS, TINY, TrimPoint, solve, solve_briefly, solve_from
 from fdes.elementary import cos, sin
 from fdes.errors import SpecError, TrimError
+from fdes.physics.aero import DerivativeAero
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Surfaces
 from fdes.physics.small_perturbation import Limits
@@ -27,6 +30,7 @@ __all__ = [
     "solve",
     "solve_from",
     "spec_of",
+    "stalled",
     "trim",
 ]
 
@@ -112,6 +116,19 @@ def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
         said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg" if angle else f"{value:.4g} of {stop:g}"
         found.append(f"the {name} would have to be {said}")
     return found
+
+
+def stalled(point: TrimPoint) -> list[str]:
+    """A sentence where the straight line of lift has ended, of an aircraft whose largest lift is assumed."""
+    aero = point.plant.aero
+    if not isinstance(aero, DerivativeAero):
+        return []
+    CL = aero.k.CL + aero.k.CL_alpha * (point.alpha - aero.alpha_0)
+    if abs(CL) < aero.CL_max:
+        return []
+    ends = aero.alpha_0 + (math.copysign(aero.CL_max, CL) - aero.k.CL) / aero.k.CL_alpha
+    said = f"This is a stalled flight: its angle of attack of {point.alpha / DEG:.3g} deg is beyond the"
+    return [f"{said} {ends / DEG:.3g} deg at which the assumed largest lift is reached. No source speaks of it."]
 
 
 def _still_accelerating(point: TrimPoint) -> str:

@@ -40,7 +40,7 @@ def trim(
     factor, or q. Sideslip: beta, or n_y=0 for none of the side force; 'bank=5 deg turn=0' is a straight one. Surfaces
     are from those of the condition.
     """
-    from fdes.analysis.trim import TrimSpec, spec_of
+    from fdes.analysis.trim import TrimSpec, spec_of, stalled
     from fdes.analysis.trim import trim as found_by
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.flight.table_ends import beyond_tables
@@ -53,6 +53,7 @@ def trim(
         _map(plant, spec, heights, plot, f"{ready.aircraft_name}, {ready.condition}", json)
         return
     point = found_by(plant, spec)
+    said += stalled(point)
     said += beyond_tables(point.plant, {name: [value] for name, value in point.outputs()._asdict().items()})
     if json:
         print_json({
