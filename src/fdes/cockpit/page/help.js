@@ -52,14 +52,20 @@ const table = (title, rows) =>
     ),
   );
 
-function takeTour(help) {
+/** From the help to what the page does when it is told of `event`. */
+function leaveFor(help, event) {
   help.close();
-  document.dispatchEvent(new Event("take-tour"));
+  document.dispatchEvent(new Event(event));
 }
 
 export function fillHelp(dialog) {
   dialog.querySelector(".dialog-body").append(
-    html("button", { type: "button", class: "take-tour", onclick: () => takeTour(dialog) }, "Take the first-flight tour"),
+    html(
+      "div",
+      { class: "button-row ways" },
+      html("button", { type: "button", onclick: () => leaveFor(dialog, "take-tour") }, "Take the first-flight tour"),
+      html("button", { type: "button", "aria-haspopup": "dialog", onclick: () => leaveFor(dialog, "set-up-gamepad") }, "Set up the gamepad…"),
+    ),
     html("div", { class: "key-tables" }, table("Stick, pedals, throttle", STICK), table("Simulation", KEYS)),
     html("h3", {}, "Flying"),
     html(
@@ -67,11 +73,5 @@ export function fillHelp(dialog) {
       { class: "notes" },
       ADVICE.map((line) => html("li", {}, line)),
     ),
-    html("button", { type: "button", "aria-haspopup": "dialog", onclick: () => setUpGamepad(dialog) }, "Set up the gamepad…"),
   );
-}
-
-function setUpGamepad(help) {
-  help.close();
-  document.dispatchEvent(new Event("set-up-gamepad"));
 }
