@@ -8,9 +8,11 @@ import pytest
 
 from fdes.aircraft import load
 from fdes.aircraft.role import role_of
+from fdes.cockpit.cabin import Cabin
+from fdes.cockpit.commands import ClearInputs, PutIn, Reset
 from fdes.cockpit.craft import make_craft
 from fdes.cockpit.excite import held as held_by_hand
-from fdes.cockpit.experiment import experiment_of, opened
+from fdes.cockpit.experiment import MOST, experiment_of, opened
 from fdes.cockpit.fleet import Fleet
 from fdes.cockpit.flight_control import Control
 from fdes.errors import FdesError
@@ -29,13 +31,15 @@ def test_an_experiment_reopens_what_flew() -> None:
     role = role_of(base.document, base.condition).but("II-L", "A")
     craft = make_craft(base, "nelson", "heun", 0.02, ["Cm_q*=0.5", "cg+=0.02"], role, control)
     held = {"elevator": 0.0349, "throttle": 0.1, "gust_w": -2.0}
-    said = json.loads(json.dumps(experiment_of(craft, FLEET, ["step aileron 1deg"], held)))
+    said = json.loads(
+        json.dumps(experiment_of(craft, FLEET, [(0.0, "step aileron 1deg"), (2.5, "doublet rudder 1deg for 1s")], held))
+    )
     assert "document" not in said
     again, opened_again = opened(json.dumps(said), FLEET)
     assert again.header() == craft.header()
     assert again.modes == craft.modes
     assert str(again.role) == str(craft.role)
-    assert opened_again.inputs == ["step aileron 1deg"]
+    assert opened_again.put_in()[:2] == [PutIn("step aileron 1deg"), PutIn("doublet rudder 1deg for 1s", 2.5)]
     assert dict(map(held_by_hand, opened_again.held)) == held
 
 
@@ -45,7 +49,41 @@ def test_all_laws_at_once_fit_into_an_experiment() -> None:
     )
     craft = make_craft(load("A-4D").at(), control=control)
     again, _ = opened(json.dumps(experiment_of(craft, FLEET, [])), FLEET)
-    assert again.fit.control.law == craft.fit.control.law
+    assert again.fit.control == craft.fit.control
+
+
+def test_plant_actuators_and_sensors_come_along() -> None:
+    control = Control("yaw_damper zeta=0.5; sensors lag=20ms delay=50ms", actuators=True, sampled=True)
+    craft = make_craft(load("A-4D").at(), integrator="rk4", control=control, plant="nonlinear")
+    said = json.loads(json.dumps(experiment_of(craft, FLEET, [])))
+    assert said["wanted"] == {"yaw_damper": 0.5}
+    again, _ = opened(json.dumps(said), FLEET)
+    assert again.header() == craft.header()
+    assert again.control == craft.control
+    assert again.fit.control.sampled
+
+
+class Flown:
+    """As much of a session as a cabin asks."""
+
+    t = 0.0
+
+
+def test_a_cabin_keeps_all_inputs_of_a_flight_and_when_each_was_put_in() -> None:
+    flown: Any = Flown()
+    cabin = Cabin(flown, FLEET.first)
+    for flown.t, text in ((10.0, "doublet elevator 1deg"), (12.5, "step aileron 1deg")):
+        cabin.remember(PutIn(text))
+    assert cabin.given() == [(0.0, "doublet elevator 1deg"), (2.5, "step aileron 1deg")]
+    cabin.remember(Reset())
+    assert len(cabin.given()) == 2, "they can still be shared"
+    cabin.remember(PutIn("pulse rudder 1deg", 0.5))
+    assert cabin.given() == [(0.0, "pulse rudder 1deg")]
+    for _ in range(100):
+        cabin.remember(PutIn("step aileron 1deg"))
+    assert len(cabin.given()) == MOST
+    cabin.remember(ClearInputs())
+    assert cabin.given() == []
 
 
 def test_an_aircraft_that_the_server_does_not_offer_comes_along() -> None:
@@ -70,6 +108,18 @@ def test_an_aircraft_that_the_server_does_not_offer_comes_along() -> None:
         ({"form": "/elsewhere/form.py"}, "no form"),
         ({"integrator": "../rk4.py"}, "no integrator"),
         ({"inputs": ["measured elevator from /etc/passwd"]}, "input"),
+        ({"inputs": ["__import__('os').system('true')"]}, "input"),
+        ({"inputs": ["step elevator open('x')"]}, "input"),
+        ({"inputs": ["step elevator 1deg"], "after": ["1"]}, "after"),
+        ({"inputs": ["step elevator 1deg"], "after": [-1.0]}, "from 0 s to 3600 s"),
+        ({"inputs": ["step elevator 1deg"], "after": [1.0, 2.0]}, "1 inputs and 2 times"),
+        ({"wanted": {"yaw_damper": "open('x')"}}, "wanted"),
+        ({"wanted": ["./law.py"]}, "wanted"),
+        ({"law": "yaw_damper; sensors lag=open('x')"}, "cannot be read"),
+        ({"law": "yaw_damper; sensors file=/etc/passwd"}, "sensors"),
+        ({"plant": "./plant.py"}, "no plant"),
+        ({"plant": "fdes.physics.plant"}, "no plant"),
+        ({"actuators": "./actuators.py"}, "actuators"),
         ({"held": ["elevator 2deg; rudder 1deg"]}, "is incomplete"),
         ({"held": ["elevatr 2deg"]}, "Did you mean 'elevator'"),
         ({"changes": ["Cm_q=__import__('os')"]}, "cannot be read"),

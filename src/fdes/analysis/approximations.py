@@ -186,7 +186,8 @@ class StaticFigures:
     static_margin: -Cm_alpha / CL_alpha. maneuver_margin: with the damping of a pull-up. n_alpha: load factor per
     radian of angle of attack in a steady pull-up by elevator at constant speed [1/rad], as MIL-F-8785C means it
     (pages 76 and 77); n_alpha_lift: q S CL_alpha / (m g), without the lift of the elevator [1/rad].
-    roll_rate: steady roll rate per radian of aileron [1/s], the same in deg/s per degree; None without roll damping. The points need the center of gravity, and are None without it.
+    roll_rate: steady roll rate per radian of aileron [1/s], the same in deg/s per degree; None without roll
+    damping. The points need the center of gravity, and are None without it.
     """
 
     static_margin: float

@@ -4,7 +4,6 @@ import asyncio
 import contextlib
 import re
 from collections.abc import Coroutine
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +11,11 @@ from fdes import __version__
 from fdes.cockpit import commands, wire
 from fdes.cockpit.answers import Question, answer
 from fdes.cockpit.at_once import obey_at_once
+from fdes.cockpit.cabin import Cabin
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import excite
 from fdes.cockpit.experiment import experiment_of, opened
 from fdes.cockpit.fleet import Fleet, craft_of
-from fdes.cockpit.history import History
 from fdes.cockpit.hub import RATE, Hub, percentiles
 from fdes.cockpit.laboratory import Editing, laboratory, ready, wanted
 from fdes.cockpit.reflights import Reflights
@@ -38,24 +37,6 @@ Exciting = commands.PutIn | commands.PutInHistory | commands.Hold
 Choosing = commands.ChooseAircraft | commands.Equations | commands.OpenAircraft | commands.OpenExperiment
 
 _NAME = re.compile(r"[A-Za-z0-9_-]{1,40}")
-
-
-@dataclass
-class Cabin:
-    """A session with those who are in it. `told` is the craft that they have been told of, `past` what was edited."""
-
-    session: Session
-    told: Craft
-    past: History = field(default_factory=History)
-    viewers: set[Viewer] = field(default_factory=set)
-    pilot: Viewer | None = None
-    leaving: asyncio.TimerHandle | None = None
-    inputs: list[str] = field(default_factory=list)  # the test input put in last, as text
-
-    def fly(self, craft: Craft) -> None:
-        """Begin another flight."""
-        self.session.change(craft)
-        self.past, self.inputs = History(), []
 
 
 class Cabins:
@@ -148,7 +129,7 @@ class Cabins:
                 work = session.start_recording if begin else session.stop_recording
                 return {"recording": await asyncio.to_thread(work)}
             case commands.Share():
-                said = (session.flown, self.fleet, cabin.inputs, session.held)
+                said = (session.flown, self.fleet, cabin.given(), session.held)
                 return {"experiment": await asyncio.to_thread(experiment_of, *said)}
             case commands.ChooseAircraft() | commands.Equations() | commands.OpenAircraft() | commands.OpenExperiment():
                 await self._fly(cabin, command)
@@ -160,6 +141,7 @@ class Cabins:
                 await self._with_recording(cabin, command)
             case _:
                 obey_at_once(session, command)
+                cabin.remember(command)
         return {}
 
     async def _fly(self, cabin: Cabin, command: Choosing) -> None:
@@ -176,8 +158,7 @@ class Cabins:
         """Put something in, and remember it as part of the experiment."""
         if excite(cabin.session, command):
             self._later(cabin.session.start_recording)
-        if isinstance(command, commands.PutIn):
-            cabin.inputs = [command.text]
+        cabin.remember(command)
 
     async def _edit(self, cabin: Cabin, command: Editing) -> None:
         """Change what flies, and tell at once. The work is done in a thread: it never costs a tick."""

@@ -47,9 +47,10 @@ class Equations:
 
 @dataclass(frozen=True)
 class PutIn:
-    """Begin a test input now, such as ``doublet elevator 2deg for 1s``; its times count from now."""
+    """Begin a test input, such as ``doublet elevator 2deg for 1s``, `after` s; its times count from then."""
 
     text: str
+    after: float = 0.0
 
 
 @dataclass(frozen=True)

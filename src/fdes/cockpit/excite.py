@@ -13,6 +13,7 @@ from fdes.flight import Excitation
 from fdes.flight.excitation import UNITS
 from fdes.flight.inputs.measured import Measured
 
+LATEST = 3600.0  # s that an input may wait
 POINTS = 400  # of a preview
 REST = 0.15  # of the time an input lasts, shown before and after it
 
@@ -20,12 +21,19 @@ REST = 0.15  # of the time an input lasts, shown before and after it
 def excite(session: Session, command: commands.PutIn | commands.PutInHistory | commands.Hold) -> bool:
     """Put something in. True when a recording should begin. Raises SpecError, NoSuchPart."""
     match command:
-        case commands.PutIn(text):
-            return session.put_in(Excitation.parse([text]))
+        case commands.PutIn(text, after):
+            must_be_soon(after)
+            return session.put_in(Excitation.parse([text]).later(after))
         case commands.PutInHistory(channel, times, values):
             return session.put_in(Excitation(((channel, Measured(times, values)),)))
         case commands.Hold(text):
             return session.hold(*held(text))
+
+
+def must_be_soon(after: float) -> None:
+    """Raises SpecError for an input that would wait too long [s]."""
+    if not 0.0 <= after <= LATEST:
+        raise SpecError(f"An input cannot be put in {after:g} s from now: it can from 0 s to {LATEST:g} s.")
 
 
 def held(text: str) -> tuple[str, float]:

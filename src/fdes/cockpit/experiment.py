@@ -6,7 +6,7 @@ or for code.
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -18,6 +18,7 @@ from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.commands import Hold, PutIn
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.excite import held as held_by_hand
+from fdes.cockpit.excite import must_be_soon
 from fdes.cockpit.fleet import Fleet
 from fdes.cockpit.flight_control import Control
 from fdes.errors import SpecError
@@ -30,7 +31,10 @@ LONGEST_LAW = 2000  # six laws with all digits of their gains
 
 
 class Experiment(BaseModel):
-    """What an experiment may say."""
+    """What an experiment may say. `inputs` begin `after` so many seconds, by their order; all at once without it.
+
+    `wanted` is, by law, what its gains were designed for.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
@@ -45,8 +49,10 @@ class Experiment(BaseModel):
     changes: list[str] = Field(default=[], max_length=MOST)
     law: str = Field(default="direct", max_length=LONGEST_LAW)
     sampled: bool = False
+    wanted: dict[str, float] = Field(default={}, max_length=MOST)
     actuators: bool = False
     inputs: list[str] = Field(default=[], max_length=MOST)
+    after: list[float] = Field(default=[], max_length=MOST)
     held: list[str] = Field(default=[], max_length=MOST)
     airplane_class: str | None = None
     category: str | None = None
@@ -55,13 +61,17 @@ class Experiment(BaseModel):
 
     def put_in(self) -> list[PutIn | Hold]:
         """What to put in when it flies."""
-        return [*map(PutIn, self.inputs), *map(Hold, self.held)]
+        after = self.after or [0.0] * len(self.inputs)
+        return [*map(PutIn, self.inputs, after), *map(Hold, self.held)]
 
 
 def experiment_of(
-    craft: Craft, fleet: Fleet, inputs: list[str], held: Mapping[str, float] = MappingProxyType({})
+    craft: Craft,
+    fleet: Fleet,
+    inputs: Sequence[tuple[float, str]],
+    held: Mapping[str, float] = MappingProxyType({}),
 ) -> dict[str, Any]:
-    """The experiment that `craft`, the texts of its test inputs and the values held by hand [SI] are."""
+    """The experiment that `craft`, its test inputs, each when [s] and what, and the values held by hand [SI] are."""
     base, control = craft.base, craft.fit.control
     offered = fleet.aircraft.get(base.aircraft_id)
     own = role_of(base.document, base.condition)
@@ -84,7 +94,9 @@ def experiment_of(
         law=control.law,
         sampled=control.sampled,
         actuators=control.actuators,
-        inputs=inputs,
+        wanted=dict(control.wanted),
+        inputs=[text for _, text in inputs],
+        after=[t for t, _ in inputs] if any(t for t, _ in inputs) else [],
         held=[f"{channel} {value!r} {UNITS[channel]}".removesuffix(" 1") for channel, value in held.items()],
         document=None if offered and offered.document == base.document else dict(base.document),
         **asked,
@@ -107,9 +119,13 @@ def opened(text: str, fleet: Fleet) -> tuple[Craft, Experiment]:
         aircraft = parse(said.document, "The aircraft in the experiment")
     base = aircraft.at(said.condition, said.variant)
     role = role_of(base.document, base.condition).but(said.airplane_class, said.category, said.phase)
+    if said.after and len(said.after) != len(said.inputs):
+        raise SpecError(f"The experiment cannot be used: it has {len(said.inputs)} inputs and {len(said.after)} times.")
     Excitation.parse(said.inputs)  # complains now, if it must
+    for seconds in said.after:
+        must_be_soon(seconds)
     for text_of_one in said.held:
         held_by_hand(text_of_one)
-    control = Control(law=said.law, actuators=said.actuators, sampled=said.sampled)
+    control = Control(law=said.law, actuators=said.actuators, sampled=said.sampled, wanted=said.wanted)
     craft = make_craft(base, said.form, said.integrator, said.step, said.changes, role, control, said.plant)
     return craft, said

@@ -23,7 +23,8 @@ from starlette.websockets import WebSocket
 
 from fdes import __version__
 from fdes.cockpit import commands, draft, wire
-from fdes.cockpit.cabins import Cabin, Cabins
+from fdes.cockpit.cabin import Cabin
+from fdes.cockpit.cabins import Cabins
 from fdes.cockpit.columns import chosen_columns
 from fdes.cockpit.files import Folder
 from fdes.cockpit.guard import Guard

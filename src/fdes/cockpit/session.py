@@ -59,6 +59,11 @@ class Session:
         return self._sortie.craft
 
     @property
+    def t(self) -> float:
+        """The time of the flight [s]."""
+        return self._sortie.frame.t
+
+    @property
     def held(self) -> dict[str, float]:
         """What is held by hand [SI], by channel."""
         return self._sortie.held

@@ -39,7 +39,7 @@ class FilesDialog {
         { class: "dialog-body" },
         html("h3", {}, "Save"),
         row([button("Aircraft as flown (.toml)", () => this.saveAircraft()), button("Experiment (.json)", () => this.saveExperiment())]),
-        html("p", { class: "quiet-words" }, "The aircraft file keeps the printed values, and flies the same to the last bit. The experiment is aircraft, changes, law, equations and the last test input."),
+        html("p", { class: "quiet-words" }, "The aircraft file keeps the printed values, and flies the same to the last bit. The experiment is aircraft, changes, laws, sensors, actuators, plant, equations and step, with all test inputs of this flight and what is held."),
         html("h3", {}, "Open"),
         row([this.file, button("New aircraft…", () => this.newAircraft())]),
         html("h3", {}, html("label", { for: "experiment-link" }, "Share by a link that reopens the experiment")),
