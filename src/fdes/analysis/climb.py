@@ -15,6 +15,7 @@ from fdes.analysis.level_flight import (
     Craft,
     Lift,
     Speeds,
+    beside,
     best,
     excess_power,
     level_speeds,
@@ -22,7 +23,7 @@ from fdes.analysis.level_flight import (
     stall,
     steady_climb,
 )
-from fdes.analysis.maneuver import ACCELERATING, Maneuver, balanced
+from fdes.analysis.maneuver import ACCELERATING, Maneuver
 from fdes.flight.table_ends import table_ends
 from fdes.physics.atmosphere import TOP
 from fdes.units import FOOT, Meter, MeterPerSecond, Second
@@ -32,7 +33,7 @@ HIGHEST: Meter = TOP - 1000.0
 UP: Meter = 2000.0  # from height to height, where the search for a ceiling goes up
 WITHIN: Meter = 2.0
 HEIGHTS = 15  # between sea level and the ceiling
-SEARCHED = 12  # speeds
+STEP = 0.05  # of a speed, from one to the next
 FINE = 1e-3  # of a speed
 MUCH = 1e-6  # of a rate of climb: what differs by less is the same
 
@@ -101,13 +102,17 @@ def best_excess(craft: Craft, lift: Lift, h: Meter) -> AtHeight | None:
     ends = searched(craft, stalled, h)
     if stalled is None or ends is None:
         return None
-    speeds = np.geomspace(max(ends[0], stalled[0].V), ends[1], SEARCHED).tolist()
+    slow, fast = max(ends[0], stalled[0].V), ends[1]
+    begin = craft.first(slow, h, craft.full)._replace(alpha=stalled[0].alpha)
     near: list[Maneuver] = []
-    begin = craft.first(speeds[0], h, craft.full)._replace(alpha=stalled[0].alpha)
-    for V in speeds:
-        found = balanced(craft.plant, (near[-1] if near else begin)._replace(V=V), ACCELERATING)
-        if found is not None:
-            near.append(found)
+    for V in np.geomspace(slow, fast, 2 + int(math.log(fast / slow) / STEP)).tolist():
+        found = beside(craft, near[-1] if near else begin, V, ACCELERATING)
+        if found is None:
+            continue
+        slower = bool(near) and found.V_dot < near[-1].V_dot
+        near.append(found)
+        if slower and found.V_dot < 0.0:
+            break
     if not near:
         return None
     k = max(range(len(near)), key=lambda k: near[k].V * near[k].V_dot)
@@ -151,7 +156,7 @@ def over_height(craft: Craft, lift: Lift, top: Meter, count: int = HEIGHTS) -> l
     for h in np.linspace(0.0, top, count).tolist():
         found = best_excess(craft, lift, h)
         if found is not None:
-            speeds = level_speeds(craft, lift, h, COARSE)
+            speeds = level_speeds(craft, lift, h, COARSE, found.V_climb)
             rows.append(replace(found, speeds=speeds))
     return rows
 

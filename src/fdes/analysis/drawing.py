@@ -6,7 +6,7 @@ Both libraries are imported when something is drawn. Colors are those of M. Okab
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import log10
+from math import ceil, log10
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Literal
@@ -76,11 +76,15 @@ class Panel:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Panels, side by side or stacked over a common x axis, `width` by `height` inches."""
+    """Panels, side by side or stacked, `width` by `height` inches.
+
+    common_x: stacked over one x axis; else each has its own, two in a row of a picture, each on its own on a page.
+    """
 
     title: str
     panels: tuple[Panel, ...]
     stacked: bool = True
+    common_x: bool = True
     width: float = 9.0
     height: float = 5.0
 
@@ -107,9 +111,9 @@ def _save_with_matplotlib(drawing: Drawing, path: Path) -> None:
         FigureCanvasAgg(figure)
         figure.suptitle(fill(drawing.title, int(10.0 * drawing.width)), fontsize=11)
         n = len(drawing.panels)
-        shape = (n, 1) if drawing.stacked else (1, n)
-        grid = figure.subplots(*shape, squeeze=False, sharex=drawing.stacked)
-        for axes, panel in zip(grid.flat, drawing.panels, strict=True):
+        common_x = drawing.stacked and drawing.common_x
+        grid = figure.subplots(*_rows_and_columns(drawing), squeeze=False, sharex=common_x)
+        for axes, panel in zip(grid.flat[:n], drawing.panels, strict=True):
             for curve in panel.curves:
                 axes.plot(
                     curve.x,
@@ -143,14 +147,22 @@ def _save_with_matplotlib(drawing: Drawing, path: Path) -> None:
             else:
                 axes.grid(visible=True, color=GRID, linewidth=0.5)
             if drawing.stacked and any(curve.label and curve.in_legend for curve in panel.curves):
-                axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-        for axes, panel in zip(grid.flat, drawing.panels, strict=True):
-            if not drawing.stacked or panel is drawing.panels[-1]:
+                beside = {"frameon": False, "loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
+                axes.legend(**(beside if drawing.common_x else {"framealpha": 0.8, "edgecolor": "none"}))
+        for axes, panel in zip(grid.flat[:n], drawing.panels, strict=True):
+            if not common_x or panel is drawing.panels[-1]:
                 axes.set_xlabel(panel.x_label)
         if not drawing.stacked:
             figure.legend(frameon=False, loc="outside lower center", ncols=len(LINES))
         figure.align_ylabels()
         figure.savefig(path, dpi=DOTS, metadata={"Title": drawing.title})
+
+
+def _rows_and_columns(drawing: Drawing) -> tuple[int, int]:
+    n = len(drawing.panels)
+    if not drawing.stacked:
+        return 1, n
+    return (n, 1) if drawing.common_x else (ceil(n / 2), 2)
 
 
 def to_plotly(drawing: Drawing) -> "PlotlyFigure":
@@ -159,18 +171,19 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
 
     n = len(drawing.panels)
     rows, columns = (n, 1) if drawing.stacked else (1, n)
-    gap = 0.35 / drawing.height if drawing.stacked else 0.09
+    inches = drawing.height if drawing.common_x else drawing.height * n / ceil(n / 2)
+    gap = (0.35 if drawing.common_x else 1.0) / inches if drawing.stacked else 0.09
     titles = [panel.title.replace("\n", "<br>") for panel in drawing.panels]
     plot = make_subplots(
         rows,
         columns,
-        shared_xaxes=drawing.stacked,
+        shared_xaxes=drawing.stacked and drawing.common_x,
         vertical_spacing=gap if rows > 1 else 0.0,
         horizontal_spacing=gap if columns > 1 else 0.0,
         subplot_titles=titles if any(titles) else None,
     )
     plot.update_annotations(font_size=TITLE_SIZE)
-    height = int(drawing.height * PIXELS)
+    height = int(inches * PIXELS)
     for k, panel in enumerate(drawing.panels):
         row, column = (k + 1, 1) if drawing.stacked else (1, k + 1)
         number = str(k + 1) if k else ""
@@ -205,7 +218,7 @@ def to_plotly(drawing: Drawing) -> "PlotlyFigure":
                 row=row,
                 col=column,
             )
-        last = not drawing.stacked or k == n - 1
+        last = not (drawing.stacked and drawing.common_x) or k == n - 1
         plot.update_xaxes(title_text=panel.x_label if last else None, range=panel.x_range, row=row, col=column)
         plot.update_yaxes(title_text=panel.y_label, range=panel.y_range, row=row, col=column)
         _logarithmic(plot, panel, row, column)

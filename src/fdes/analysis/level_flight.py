@@ -170,18 +170,24 @@ def stall(craft: Craft, lift: Lift, h: Meter) -> tuple[Maneuver, str] | None:
     return at_largest_lift(craft, lift, craft.first(V, h, craft.plant.limits.lower.throttle), AT_THIS_LIFT)
 
 
-def level_speeds(craft: Craft, lift: Lift, h: Meter, count: int = COUNT) -> Speeds | None:
-    """Between the ends of the longest run of speeds that can be flown; None where there are none."""
+def level_speeds(
+    craft: Craft, lift: Lift, h: Meter, count: int = COUNT, likely: MeterPerSecond | None = None
+) -> Speeds | None:
+    """Between the ends of the longest run of speeds that can be flown; None where there are none.
+
+    likely: one that is tried for sure, since below a ceiling those that can be flown lie close together.
+    """
     stalled = stall(craft, lift, h)
     ends = searched(craft, stalled, h)
     if stalled is None or ends is None:
         return None
-    tried = np.geomspace(*ends, COARSE).tolist()
-    middle = min(range(COARSE), key=lambda k: abs(tried[k] - START * stalled[0].V))
+    between = np.geomspace(*ends, COARSE).tolist()
+    tried = sorted(between if likely is None else [*between, likely])
+    middle = min(range(len(tried)), key=lambda k: abs(tried[k] - START * stalled[0].V))
     first = craft.first(tried[middle], h, craft.full)._replace(alpha=0.5 * lift.alpha)
-    found: list[Maneuver | None] = [None] * COARSE
+    found: list[Maneuver | None] = [None] * len(tried)
     found[middle] = balanced(craft.plant, first, STRAIGHT)
-    for k in (*range(middle + 1, COARSE), *range(middle - 1, -1, -1)):
+    for k in (*range(middle + 1, len(tried)), *range(middle - 1, -1, -1)):
         beside = found[k - 1 if k > middle else k + 1]
         found[k] = beside and balanced(craft.plant, beside._replace(V=tried[k]), STRAIGHT)
     run = _longest_run([m if m is not None and not _short(craft, lift, m) else None for m in found])
@@ -190,7 +196,7 @@ def level_speeds(craft: Craft, lift: Lift, h: Meter, count: int = COUNT) -> Spee
     before, after = [V for V in tried if run[0].V > V], [V for V in tried if run[-1].V < V]
     slow, slow_end = _end(craft, lift, run[0], before[-1]) if before else (run[0], craft.reach.why_slow)
     fast, fast_end = _end(craft, lift, run[-1], after[0]) if after else (run[-1], craft.reach.why_fast)
-    line = tuple(along(craft.plant, slow, np.linspace(slow.V, fast.V, count).tolist(), STRAIGHT))
+    line = tuple(along(craft, slow, np.linspace(slow.V, fast.V, count).tolist(), STRAIGHT))
     return Speeds(h, stalled[0].V, line, slow_end, fast_end)
 
 
@@ -202,11 +208,20 @@ def searched(craft: Craft, stalled: tuple[Maneuver, str] | None, h: Meter) -> tu
     return max(SLOWEST * stalled[0].V, craft.reach.slow * a), craft.reach.fast * a
 
 
-def along(plant: SixDof, first: Maneuver, speeds: Iterable[float], free: Sequence[str]) -> list[Maneuver]:
+def beside(craft: Craft, near: Maneuver, V: MeterPerSecond, free: Sequence[str]) -> Maneuver | None:
+    """The maneuver at that speed, begun at `near`, or else far from the stall: there lift knows no slope to go by."""
+    found = balanced(craft.plant, near._replace(V=V), free)
+    if found is not None:
+        return found
+    alpha = craft.first(V, near.h, near.throttle).alpha
+    return balanced(craft.plant, near._replace(V=V, alpha=alpha), free)
+
+
+def along(craft: Craft, first: Maneuver, speeds: Iterable[float], free: Sequence[str]) -> list[Maneuver]:
     """The maneuvers at those speeds, each begun at the one before; those that are not found are left out."""
     line: list[Maneuver] = []
     for V in speeds:
-        found = balanced(plant, (line[-1] if line else first)._replace(V=V), free)
+        found = beside(craft, line[-1] if line else first, V, free)
         if found is not None:
             line.append(found)
     return line
@@ -246,7 +261,7 @@ def _end(craft: Craft, lift: Lift, can: Maneuver, cannot: float) -> tuple[Maneuv
 
 def excess_power(craft: Craft, near: Maneuver, V: MeterPerSecond) -> float:
     """What full throttle gains at that speed [m/s], in level flight."""
-    found = balanced(craft.plant, near._replace(V=V, throttle=craft.full, V_dot=0.0), ACCELERATING)
+    found = beside(craft, near._replace(throttle=craft.full, V_dot=0.0), V, ACCELERATING)
     return -math.inf if found is None else V * found.V_dot / craft.plant.earth.g
 
 

@@ -109,13 +109,14 @@ def performance(condition: FlightCondition, wanted: Wanted = ALL) -> Performance
     if speeds is None:
         raise SpecError(_too_high(condition, h, absolute))
     structure = structure_of(condition, craft, speeds, wanted.n_max, wanted.n_min)
-    found = turns(craft, lift, speeds, structure.n_max)
+    V_corner = corner(craft, lift, speeds, structure.n_max)
+    found = turns(craft, lift, speeds, structure.n_max, V_corner)
     diagram = vn_diagram(craft, structure, speeds, (lift, largest_lift(craft, -1.0)))
     rows = over_height(craft, lift, absolute.h if absolute else h)
     figures = {
         "level flight": list(_of_level(craft, lift, speeds)),
         "climb": list(_of_climb(craft, lift, speeds, service, absolute)),
-        "turn": list(_of_turn(found, corner(craft, lift, speeds, structure.n_max), plant.earth.g)),
+        "turn": list(_of_turn(found, V_corner, plant.earth.g)),
         "V-n (equivalent airspeeds)": list(_of_diagram(diagram, craft)),
     }
     return Performance(
@@ -201,17 +202,21 @@ def _of_turn(found: Sequence[Turn], V_corner: MeterPerSecond | None, g: float) -
 
 def _of_diagram(diagram: VnDiagram, craft: Craft) -> Iterator[Figure]:
     structure = diagram.structure
-    yield Figure("largest load factor", structure.n_max, "1", limit=structure.why_n)
-    yield Figure("smallest load factor", structure.n_min, "1", limit=structure.why_n)
+    yield Figure("largest load factor", structure.n_max, "1", limit=_assumed_or_asked(structure.why_n))
+    yield Figure("smallest load factor", structure.n_min, "1", limit=_assumed_or_asked(structure.why_n))
     yield Figure("V_S", diagram.V_stall, "m/s", limit=f"upward, {diagram.limits[0]}; downward, {diagram.limits[1]}")
     if diagram.V_A is not None:
         yield Figure("V_A", diagram.V_A, "m/s")
-    yield Figure("V_C", structure.V_C, "m/s", limit=structure.why_V)
-    yield Figure("V_D", structure.V_D, "m/s", limit=structure.why_V)
+    yield Figure("V_C", structure.V_C, "m/s", limit=_assumed_or_asked(structure.why_V))
+    yield Figure("V_D", structure.V_D, "m/s", limit=_assumed_or_asked(structure.why_V))
     loading = craft.plant.inertia.m * craft.plant.earth.g / craft.S
     for name, gust, V in diagram.gusts:
         words = f"FAR 23.341: {gust:.3g} m/s ({gust / FOOT:.3g} ft/s), alleviated by {diagram.alleviation:.3f}"
         yield Figure(f"load factor of a gust at {name}", diagram.gust_load(gust, V, loading), "1", V, words)
+
+
+def _assumed_or_asked(why: str) -> str:
+    return why if why.startswith("asked") else f"assumed: {why}"
 
 
 def _assumed(craft: Craft) -> Iterator[str]:

@@ -17,6 +17,8 @@ from fdes.units import Meter
 if TYPE_CHECKING:
     import xarray as xr
 
+NOTHING = 0.05  # m/s: where specific excess power is less, it is that of the absolute ceiling
+
 
 def level_table(craft: Craft, speeds: Speeds) -> "xr.Dataset":
     """Level flight over true airspeed: what it needs, and what full throttle has."""
@@ -38,17 +40,23 @@ def level_table(craft: Craft, speeds: Speeds) -> "xr.Dataset":
 
 
 def height_table(rows: Sequence[AtHeight]) -> "xr.Dataset":
-    """Speeds and the climb at full throttle over height."""
-    nan = math.nan
+    """Speeds and the climb at full throttle over height. At the absolute ceiling one speed is left."""
+    ends = [_ends(r) for r in rows]
     return labeled(
         ("h", [r.h for r in rows], "m", "height"),
         ("V_stall", [r.V_stall for r in rows], "m/s", "stall at idle throttle"),
-        ("V_slow", [r.speeds.line[0].V if r.speeds else nan for r in rows], "m/s", "slowest level flight"),
-        ("V_fast", [r.speeds.line[-1].V if r.speeds else nan for r in rows], "m/s", "fastest level flight"),
+        ("V_slow", [slow for slow, _ in ends], "m/s", "slowest level flight"),
+        ("V_fast", [fast for _, fast in ends], "m/s", "fastest level flight"),
         ("V_climb", [r.V_climb for r in rows], "m/s", "speed of the largest specific excess power"),
         ("excess_power", [r.excess for r in rows], "m/s", "largest specific excess power"),
         ("time", times_to_climb(rows), "s", "time to climb at the largest specific excess power"),
     )
+
+
+def _ends(r: AtHeight) -> tuple[float, float]:
+    if r.speeds is not None:
+        return r.speeds.line[0].V, r.speeds.line[-1].V
+    return (r.V_climb, r.V_climb) if abs(r.excess) < NOTHING else (math.nan, math.nan)
 
 
 def excess_table(rows: Sequence[AtHeight]) -> "xr.Dataset":

@@ -31,10 +31,13 @@ class Turn:
     limit: str
 
 
-def turns(craft: Craft, lift: Lift, speeds: Speeds, n_max: Number, count: int = COUNT) -> list[Turn]:
-    """From the stalling speed, or the slowest level flight if that is faster, to the fastest level flight."""
+def turns(
+    craft: Craft, lift: Lift, speeds: Speeds, n_max: Number, V_corner: MeterPerSecond | None, count: int = COUNT
+) -> list[Turn]:
+    """From the stalling speed, or the slowest level flight if that is faster, to the fastest; the corner among them."""
     found = []
-    for V in np.linspace(max(speeds.V_stall, speeds.line[0].V), speeds.line[-1].V, count).tolist():
+    tried = np.linspace(max(speeds.V_stall, speeds.line[0].V), speeds.line[-1].V, count).tolist()
+    for V in sorted(tried if V_corner is None else [*tried, V_corner]):
         near = min(speeds.line, key=lambda m: abs(m.V - V))
         tight = tightest(craft, lift, near, V, speeds.V_stall)
         if tight is not None:

@@ -118,10 +118,10 @@ def load_factors(airplane_class: str, weight: float) -> tuple[Number, Number, st
     of_weight = 2.1 + 24000.0 / (pounds + 10000.0)
     if airplane_class == "I":
         n = min(of_weight, NORMAL)
-        return n, -0.4 * n, "of FAR 23.337, normal category"
+        return n, -0.4 * n, "FAR 23.337, normal category"
     if airplane_class == "IV":
         return FIGHTER, FIGHTER_DOWN, "the least of fighters, Raymer's table 14.2"
-    return min(max(of_weight, TRANSPORT_LEAST), NORMAL), -1.0, "of FAR 25.337"
+    return min(max(of_weight, TRANSPORT_LEAST), NORMAL), -1.0, "FAR 25.337"
 
 
 def equivalent(V: MeterPerSecond, h: Meter) -> MeterPerSecond:
@@ -138,10 +138,12 @@ def vn_diagram(
     V_A = None
     for V in np.linspace(FROM * equivalent(speeds.V_stall, h), structure.V_D, count).tolist():
         up, down = (_of_lift(craft, lift, speeds.line[0], V * true)[0] for lift in lifts)
-        upper, lower = min(up, structure.n_max), max(down, lowest(structure, V))
-        if V_A is None and up >= structure.n_max and bounds:
-            V_A = _crossing(bounds[-1], V, up, structure.n_max)
-        bounds.append(Bound(V, up, down, upper, lower))
+        if not (math.isfinite(up) and math.isfinite(down)):
+            continue
+        for crossed in _crossings(bounds[-1], V, up, down, structure) if bounds else ():
+            V_A = crossed.V if crossed.lift_up == structure.n_max else V_A
+            bounds.append(crossed)
+        bounds.append(_bound(structure, V, up, down))
     level = min(speeds.line, key=lambda m: abs(m.V - structure.V_C * true))
     at_V_C = [_of_lift(craft, lift, level, level.V)[1] for lift in lifts]
     slope = lift_slope(craft, level)
@@ -189,10 +191,23 @@ def _of_lift(craft: Craft, lift: Lift, near: Maneuver, V: MeterPerSecond) -> tup
     return (math.nan, "") if found is None else (load_factor(craft.plant, found[0]), found[1])
 
 
-def _crossing(before: Bound, V: MeterPerSecond, n: Number, wanted: Number) -> MeterPerSecond:
-    """Where lift, which grows as the square of the speed, makes the load factor that is wanted."""
-    share = (wanted - before.lift_up) / (n - before.lift_up)
-    return math.sqrt(before.V**2 + share * (V**2 - before.V**2))
+def _bound(structure: Structure, V: MeterPerSecond, up: Number, down: Number) -> Bound:
+    return Bound(V, up, down, min(up, structure.n_max), max(down, lowest(structure, V)))
+
+
+def _crossings(before: Bound, V: MeterPerSecond, up: Number, down: Number, structure: Structure) -> list[Bound]:
+    """Where lift, which grows as the square of the speed, comes to the structure's limits on the way to V."""
+    found = []
+    for n_before, n, wanted in (
+        (before.lift_up, up, structure.n_max),
+        (before.lift_down, down, structure.n_min),
+    ):
+        share = (wanted - n_before) / (n - n_before) if n != n_before else -1.0
+        if 0.0 < share <= 1.0:
+            at = [x + share * (y - x) for x, y in ((before.lift_up, up), (before.lift_down, down))]
+            at = [wanted if abs(x - wanted) < 1e-9 else x for x in at]
+            found.append(_bound(structure, math.sqrt(before.V**2 + share * (V**2 - before.V**2)), at[0], at[1]))
+    return sorted(found)
 
 
 def _loading(craft: Craft) -> float:

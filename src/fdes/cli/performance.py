@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
+from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table, working
 from fdes.units import DEG, FOOT, KNOT, POUND_FORCE, parse, to_si
 
@@ -50,6 +50,7 @@ def performance(
     ] = None,
     n_min: Annotated[float | None, typer.Option(metavar="NUMBER", help="The smallest one, such as -3.")] = None,
     across: Across = None,
+    plot: PlotFile = None,
     json: AsJson = False,
 ) -> None:
     """Performance of the nonlinear plant: speeds, climb, ceiling, turns and V-n diagram.
@@ -60,7 +61,10 @@ def performance(
     from fdes.analysis.level_flight import STEEPEST
     from fdes.analysis.performance import Wanted
     from fdes.analysis.performance import performance as found_by
+    from fdes.analysis.performance_charts import drawn
+    from fdes.cli.plot import save_plot, target_of
 
+    target = target_of(plot)
     ready = chosen(aircraft, condition, variant, changes, across)
     wanted = Wanted(
         h=None if height is None else parse(height, "m"),
@@ -73,19 +77,27 @@ def performance(
     )
     with working("Flying it at many speeds and heights"):
         found = found_by(ready, wanted)
+    if target is not None:
+        save_plot(drawn(found, _title(found)), target)
     if json:
         print_json(_as_json(found))
         return
     _show(found)
     for sentence in found.notes:
         note(sentence)
+    if plot is not None:
+        screen().print(f"{plot} is written.", soft_wrap=True)
+
+
+def _title(found: "Performance") -> str:
+    ready = found.condition
+    changes = "".join(f", {change}" for change in ready.changes)
+    height = f"{found.h:,.0f} m ({found.h / FOOT:,.0f} ft)"
+    return f"{ready.aircraft_name}, {ready.condition}{changes}: performance at {height}"
 
 
 def _show(found: "Performance") -> None:
-    ready = found.condition
-    changes = "".join(f", {change}" for change in ready.changes)
-    title = f"{ready.aircraft_name}, {ready.condition}{changes}: performance at {found.h:,.0f} m"
-    screen().print(f"{title} ({found.h / FOOT:,.0f} ft)", style="bold", soft_wrap=True)
+    screen().print(_title(found), style="bold", soft_wrap=True)
     for subject, figures in found.figures.items():
         rows = table(subject, "", "", "", "", "at m/s", "kt")
         for figure in figures:
