@@ -1,10 +1,11 @@
-/** The menu in the top bar that says what moves the stick, and lets one choose: keyboard, mouse stick or gamepad. */
+/** The menu in the top bar that says what moves the stick, and lets one choose: keyboard, mouse stick, touch or gamepad. */
 
 import { html } from "./dom.js";
 
 const CHOICES = [
   ["keyboard", "Keyboard"],
   ["mouse", "Mouse stick (M)"],
+  ["touch", "Touch"],
   ["gamepad", "Gamepad"],
 ];
 

@@ -1,5 +1,6 @@
 /**
- * Who moves the stick: keyboard, mouse or gamepad, as pitch (aft +), roll (right +), yaw (right pedal +), throttle (0..1).
+ * Who moves the stick: keyboard, mouse, gamepad or fingers, as pitch (aft +), roll (right +), yaw (right
+ * pedal +), throttle (0..1).
  *
  * A key does not throw the stick against its stop: the stick travels at a hand's rate while the key is down and
  * centers when it is let go. Shift holds it to a third of its travel, for small corrections.
@@ -29,8 +30,11 @@ const BACK_RATE = 3.5; // full travel per second, towards the center
 const THROTTLE_RATE = 0.4; // full travel per second
 const GENTLE = 1 / 3;
 const LONGEST_STEP = 0.1; // s: a stalled page must not make the stick jump
-const CHOICE = "fdes.control"; // "keyboard", "mouse" or "gamepad", where one was chosen
+const CHOICE = "fdes.control"; // one of CONTROLS, where one was chosen
+const CONTROLS = ["keyboard", "mouse", "touch", "gamepad"];
+const FINGERS = "(pointer: coarse)"; // the first pointer of this device
 const MOUSE_FLIES = "Mouse stick: the pointer over the world flies. M or Escape ends it.";
+const TOUCH_FLIES = "Fingers fly: stick at the right, throttle and rudder at the left.";
 
 const TYPING = "input, select, textarea, [contenteditable], dialog";
 const USES_ARROWS = "[role=tab]";
@@ -48,6 +52,8 @@ export class StickInput {
     this.moved = { ...this.stick }; // what read() answers; one object, so that no frame leaves garbage
     this.gamepads = new Gamepads();
     this.mouse = new MouseStick(document.querySelector(".view"));
+    this.touch = null; // a TouchStick, once fingers fly
+    this.wantsTouch = this.isChosen = false;
     this.padName = null;
     this.usesPad = true; // one that is plugged in flies, unless another control was chosen
     this.trimThrottle = 0;
@@ -65,6 +71,7 @@ export class StickInput {
       this.gentle = event.shiftKey;
     });
     addEventListener("blur", () => this.release());
+    this.mouse.view.addEventListener("pointerdown", (event) => this.meetFinger(event));
   }
 
   press(event) {
@@ -81,7 +88,7 @@ export class StickInput {
     const leaves = event.code === "Escape" && this.mouse.active;
     if ((event.code !== "KeyM" && !leaves) || event.repeat || isTaken(event)) return false;
     this.mouse.toggle();
-    this.rememberChoice(this.mouse.active ? "mouse" : this.usesPad ? null : "keyboard");
+    this.rememberChoice(this.mouse.active ? "mouse" : this.usesPad ? null : this.choice);
     this.onNotice(this.mouse.active ? MOUSE_FLIES : `${this.padFlies ? this.gamepads.name : "The keyboard"} flies. The stick is centered.`);
     return true;
   }
@@ -89,12 +96,34 @@ export class StickInput {
   /** What was chosen before the page was loaded again. Nothing, where storage is forbidden or holds something else. */
   recallChoice() {
     try {
-      const name = localStorage.getItem(CHOICE);
+      const name = CONTROLS.find((each) => each === localStorage.getItem(CHOICE));
+      this.isChosen = Boolean(name);
       this.mouse.toggle(name === "mouse");
-      this.usesPad = name !== "mouse" && name !== "keyboard";
+      this.usesPad = !name || name === "gamepad";
+      this.useTouch(name === "touch" || (!name && matchMedia(FINGERS).matches));
     } catch {
       this.usesPad = true;
+      this.useTouch(matchMedia(FINGERS).matches);
     }
+  }
+
+  /** Shows the stick for fingers, or takes it away. */
+  async useTouch(wanted) {
+    this.wantsTouch = wanted;
+    try {
+      if (wanted && !this.touch) {
+        const { TouchStick } = await import("./touch_stick.js");
+        this.touch ??= new TouchStick(this.mouse.view);
+      }
+      this.touch?.toggle(this.wantsTouch);
+    } catch (error) {
+      this.onNotice(`The stick for fingers could not be fetched. ${error.message}`);
+    }
+  }
+
+  /** A finger on a screen that also has a mouse: it flies, unless another control was chosen. */
+  meetFinger({ pointerType }) {
+    if (pointerType === "touch" && !this.isChosen && !this.wantsTouch) this.useTouch(true);
   }
 
   rememberChoice(name) {
@@ -113,14 +142,18 @@ export class StickInput {
   /** What flies now, as the chooser names it. */
   get choice() {
     if (this.mouse.active) return "mouse";
-    return this.usesPad && this.gamepads.pad ? "gamepad" : "keyboard";
+    if (this.usesPad && this.gamepads.pad) return "gamepad";
+    return this.wantsTouch ? "touch" : "keyboard";
   }
 
-  /** Hands the stick to "keyboard", "mouse" or "gamepad"; answers what that means in a sentence. */
+  /** Hands the stick to "keyboard", "mouse", "touch" or "gamepad"; answers what that means in a sentence. */
   choose(name) {
     this.mouse.toggle(name === "mouse");
     this.usesPad = name === "gamepad";
+    this.useTouch(name === "touch");
+    this.isChosen = true;
     this.rememberChoice(name);
+    if (name === "touch") return TOUCH_FLIES;
     if (name === "mouse") return MOUSE_FLIES;
     if (name === "keyboard") return "The keyboard flies. The stick is centered.";
     if (this.gamepads.pad) return `${this.gamepads.name} flies.`;
@@ -129,6 +162,7 @@ export class StickInput {
 
   release() {
     this.held.clear();
+    this.touch?.center();
     this.gentle = false;
   }
 
@@ -150,12 +184,14 @@ export class StickInput {
     this.last = now;
     this.followKeys(dt);
     Object.assign(this.moved, this.stick);
-    this.source = this.mouse.active ? "Mouse stick" : "Keyboard";
+    this.source = this.mouse.active ? "Mouse stick" : this.wantsTouch ? "Touch" : "Keyboard";
     if (this.mouse.active) this.addMouse();
+    if (this.touch?.active) this.addTouch();
     this.noticeGamepad(this.gamepads.find());
     if (this.gamepads.pad) this.gamepads.followButtons();
     if (this.padFlies) this.addGamepad(dt);
     this.moved.throttle = this.stick.throttle;
+    if (this.touch?.active) this.touch.show(this.moved);
     return this.moved;
   }
 
@@ -179,6 +215,14 @@ export class StickInput {
     if (pitch !== 0) this.moved.pitch = pitch;
     if (roll !== 0) this.moved.roll = roll;
     if (pitch !== 0 || roll !== 0) this.notice();
+  }
+
+  /** Fingers win on every axis that they move; keys keep the others. */
+  addTouch() {
+    const { touch } = this;
+    for (const axis of AXES) if (touch[axis] !== 0) this.moved[axis] = touch[axis];
+    if (touch.lever !== null) this.stick.throttle = touch.lever;
+    if (touch.lever !== null || AXES.some((axis) => touch[axis] !== 0)) this.notice();
   }
 
   /** Says it when a device comes or goes; one that has gone holds nothing: the stick is then centered. */
