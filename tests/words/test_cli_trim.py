@@ -64,6 +64,7 @@ def test_a_stalled_flight_is_called_so() -> None:
         (["trim", "A-4D", "V=200 kt h=5000 ft n=2"], "m/s^2 downward, for lift falls short"),
         (["trim", "A-4D", "V=90 kt CAS=80 kt"], "Both V and CAS are given for the trim (how fast it flies)"),
         (["trim", "A-4D", "bank=20 deg turn=3 deg/s"], "or say turn=0 for a straight sideslip with that bank"),
+        (["trim", "A-4D", "alpha=8 deg", "--heights", "0 ft"], "an angle of attack fixes one: leave alpha out"),
         (["trim", "NAVION", "V=300"], "V=300 has no unit. Write it like 'V=300 m/s'."),
         (["trim", "NAVION", "v=300 kt"], "Did you mean 'V'?"),
         (["trim", "A-7A"], "cannot fly nonlinear: its source gives dimensional derivatives"),

@@ -82,6 +82,8 @@ def _map(plant: "SixDof", spec: "TrimSpec", heights: str | None, plot: str | Non
     from fdes.analysis.trim_map import drawn, trim_map
     from fdes.cli.plot import save_plot, target_of
 
+    if spec.alpha is not None:
+        raise SpecError("A map is over all speeds, and an angle of attack fixes one: leave alpha out of the trim.")
     target = target_of(plot)
     wanted = [spec.h] if heights is None else [parse(h.strip(), "m") for h in heights.split(",")]
     with working("Trimming"):
