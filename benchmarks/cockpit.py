@@ -74,7 +74,7 @@ def measure(url: str, width: int, height: int, seconds: float) -> list[tuple[str
         page = browser.new_page(viewport={"width": width, "height": height})
         asked: list[str] = []
         page.on("request", lambda request: asked.append(request.url))
-        page.goto(f"{url}/?world=canvas2d&session=bench")
+        page.goto(f"{url}/?world=canvas2d&tour=off&session=bench")
         page.wait_for_function("() => window.fdes && window.fdes.stats.frames > 0")
         first = page.evaluate("() => window.fdes.stats.firstFrameAt")
         page.wait_for_timeout(2000)

@@ -4,7 +4,6 @@ import { drawSheet } from "./aircraft_sheet.js";
 import { Cockpit } from "./cockpit.js";
 import { ControlChooser } from "./control_chooser.js";
 import { byId } from "./dom.js";
-import { fillHelp } from "./help.js";
 import { InputsPanel } from "./inputs.js";
 import { InstrumentPanel } from "./instrument_panel.js";
 import { Levels } from "./levels.js";
@@ -68,7 +67,6 @@ const tabs = new Tabs(byId("tabs"), (tab) => {
   if (tab === "stability") laboratory ??= openLaboratory();
   if (tab === "control") openFlightControl();
 });
-fillHelp(byId("help"));
 
 async function openLaboratory() {
   const { VariableStability } = await import("./variable_stability.js");
@@ -209,7 +207,7 @@ const actions = {
   theme: () => theme.toggle(),
   plant: () => flyPlant(cockpit.aircraft.plant === "linear" ? "nonlinear" : "linear"),
   law: async () => topBar.say(await (await openFlightControl()).toggle()),
-  help: () => byId("help").showModal(),
+  help: async () => (await import("./help.js")).openHelp(byId("help")),
 };
 listenToKeys(actions);
 stick.onAction = (action) => Object.hasOwn(actions, action) && actions[action]();

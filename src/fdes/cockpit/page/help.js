@@ -58,7 +58,13 @@ function leaveFor(help, event) {
   document.dispatchEvent(new Event(event));
 }
 
-export function fillHelp(dialog) {
+/** Opens the help; fetched and filled when it is opened first. */
+export function openHelp(dialog) {
+  if (!dialog.querySelector(".dialog-body").hasChildNodes()) fillHelp(dialog);
+  if (!dialog.open) dialog.showModal();
+}
+
+function fillHelp(dialog) {
   dialog.querySelector(".dialog-body").append(
     html(
       "div",
