@@ -114,9 +114,17 @@ def test_an_edit_keeps_the_gains_and_what_was_wanted() -> None:
 
 
 def test_actuators_cost_damping_and_say_so() -> None:
-    told = obeying(with_law("pitch_rate_damper"), commands.UseActuators(on=True))
+    told = told_by = obeying(with_law("pitch_rate_damper zeta=0.7"), commands.UseActuators(on=True))
     one = told.control["achieved"][0]
-    assert one["actuated"] != pytest.approx(one["flown"], rel=0.01)
+    assert one["alone"] == one["wanted"] == pytest.approx(0.7), "the gain was designed before"
+    assert one["continuous"] != pytest.approx(one["alone"], rel=0.01)
+    assert one["flown"] != one["continuous"], "half a frame"
+    again = with_law("pitch_rate_damper zeta=0.7", told_by)
+    (one,) = again.control["achieved"]
+    assert one["designed"] == one["continuous"] == pytest.approx(0.7, rel=1e-3)
+    assert one["flown"] == pytest.approx(0.7, rel=0.02)
+    assert one["alone"] != pytest.approx(0.7, rel=0.01)
+    assert again.fit.control.law != told_by.fit.control.law
     assert any(m["name"] == "elevator_actuator" for m in told.modes)
     delays = [v for v in told.qualities["verdicts"] if v["mode"] == "response"]
     assert all(v["value"] == pytest.approx(0.05) for v in delays)

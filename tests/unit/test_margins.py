@@ -158,7 +158,7 @@ def test_what_lies_between_costs_margin() -> None:
             assert after.gain_margin < before.gain_margin
             assert after.delay_margin < before.delay_margin
     assert list(costs(A4D, without_sensors(law))) == ["law alone"]
-    assert without_sensors(law) == law_for(TEXT.rpartition(";")[0], A4D).law
+    assert without_sensors(law) == law_for(law_for(TEXT, A4D).text.rpartition(";")[0], A4D).law
 
 
 def test_without_a_loop_there_is_nothing_to_say() -> None:

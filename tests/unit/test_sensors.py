@@ -18,6 +18,7 @@ from fdes.control.laws.roll_angle import RollAngle
 from fdes.control.laws.sensors import Sensors
 from fdes.control.laws.yaw_damper import YawDamper
 from fdes.errors import FdesError
+from fdes.flight.actuated import actuators_of
 from fdes.physics.signals import Outputs
 
 A4D = load("A-4D").at("M0.4_SL")
@@ -125,19 +126,36 @@ def test_lag_and_delay_can_be_turned_while_flying() -> None:
         assert command.rudder == pytest.approx(steady.rudder, abs=1e-3)
 
 
-def test_said_last_it_makes_late_what_was_designed_without() -> None:
+def test_said_last_it_makes_late_what_is_designed_with_it() -> None:
     bare = law_for("yaw_damper zeta=0.4", A4D)
     late = law_for("yaw_damper zeta=0.4; sensors lag=20ms delay=50ms", A4D)
-    assert late.gains["yaw_damper"] == bare.gains["yaw_damper"]
+    gain = late.gains["yaw_damper"]["gain"]
+    assert gain != pytest.approx(bare.gains["yaw_damper"]["gain"], rel=0.02)
     assert late.gains["sensors"] == {"lag": 0.02, "delay": 0.05}
-    assert late.law == Sensors(bare.law, 0.02, 0.05)
+    assert late.law == Sensors(law_for(f"yaw_damper gain={gain!r}", A4D).law, 0.02, 0.05)
     (achieved,) = late.achieved
     assert achieved.designed == pytest.approx(0.4)
     named = {m.name: m for m in modes(close(A4D, late.law))}
-    assert achieved.continuous == pytest.approx(named["dutch_roll"].zeta)
-    assert achieved.continuous != pytest.approx(0.4, abs=0.01)
+    assert achieved.continuous == pytest.approx(0.4)
+    assert named["dutch_roll"].zeta == pytest.approx(0.4)
+    assert achieved.flown == pytest.approx(0.4, rel=0.02)
+    assert achieved.alone != pytest.approx(0.4, abs=0.01)
+    assert bare.achieved[0].alone == bare.achieved[0].continuous
     assert law_for(late.text, A4D).law == late.law
     assert {"short_period", "phugoid", "roll", "spiral", "r_lag", "r_delay"} <= set(named)
+
+
+@pytest.mark.parametrize("dt", [None, DT, 0.02])
+@pytest.mark.parametrize(
+    "text", ["yaw_damper zeta=0.35", "roll_rate_damper time_constant=0.4", "pitch_rate_pi omega=4 zeta=0.6"]
+)
+def test_what_is_wanted_is_reached_with_sensors_and_actuators(text: str, dt: float | None) -> None:
+    late = f"{text}; sensors lag=10ms delay=20ms"
+    (achieved,) = law_for(late, A4D, dt=dt, actuators=actuators_of(A4D)).achieved
+    assert achieved.reached
+    assert achieved.designed == pytest.approx(achieved.wanted, rel=0.01)
+    (without,) = law_for(text, A4D, dt=dt).achieved
+    assert without.designed == pytest.approx(without.wanted, rel=0.01)
 
 
 def test_sampled_modes_have_their_names_too() -> None:

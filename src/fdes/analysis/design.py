@@ -2,7 +2,7 @@
 
 `law_for("yaw_damper zeta=0.4", condition)` is the law; beside it stands what was wanted, what the gain gives where it
 was designed, and what is flown at the step of the flight: a command held through a frame comes half a frame late, and
-that costs damping. What is out of reach is said, with the best there is.
+that costs damping. Sensors and actuators are in the design. What is out of reach is said, with the best there is.
 """
 
 from collections.abc import Callable, Mapping
@@ -15,6 +15,7 @@ from fdes.aircraft import FlightCondition
 from fdes.analysis.closed_loop import close
 from fdes.analysis.designed import Achieved, Designed
 from fdes.analysis.linearize import linear_model
+from fdes.analysis.margins import without_sensors
 from fdes.analysis.modes import modes
 from fdes.analysis.placement import Quantity, followed_root, measure, nearest_root, one_gain, stable, two_gains
 from fdes.control import Law, LinearModel
@@ -22,6 +23,7 @@ from fdes.control.laws.direct import Direct
 from fdes.control.laws.sensors import Sensors
 from fdes.control.spoken import WISHES, Loop, loops, units_of
 from fdes.errors import SpecError
+from fdes.physics.actuators import Actuators
 from fdes.physics.derivatives import Form
 
 FRAME = 1.0 / 120.0  # s: of the cockpit
@@ -56,6 +58,21 @@ class _Closed(NamedTuple):
     notes: list[str]
 
 
+class _Around(NamedTuple):
+    """What a loop is closed round, and behind which sensors: their settings, none without."""
+
+    condition: FlightCondition
+    form: Form
+    dt: float | None
+    actuators: Actuators | None
+    sensors: Mapping[str, float]
+
+    def close(self, law: Law) -> LinearModel:
+        """The closed loop of `law` with all there is between air and surface."""
+        late = Sensors(law, **self.sensors) if self.sensors and not isinstance(law, Sensors) else law
+        return close(self.condition, late, self.dt, self.actuators, self.form)
+
+
 def law_for(
     text: str,
     condition: FlightCondition,
@@ -63,12 +80,14 @@ def law_for(
     dt: float | None = None,
     frame: float | None = None,
     own: Mapping[str, Any] | None = None,
+    actuators: Actuators | None = None,
 ) -> Designed:
     """The law that `text` names, for that aircraft: gains given, or designed for what is wished, or for a fair default.
 
     With `dt` [s] it is designed in z at that step, else in s. `frame` [s] is the step it is flown at: `dt` unless said,
     else that of the cockpit. `own` are laws beside those of the shelf, by name. Loops are closed in the order in which
-    they are said, each designed with those before it closed. Raises SpecError, NoSuchPart.
+    they are said, each designed with those before it closed, with `actuators` where there are any, and behind sensors
+    that are said last. Raises SpecError, NoSuchPart.
 
     >>> import fdes
     >>> designed = law_for("yaw_damper zeta=0.4", fdes.load("A-4D").at("M0.4_SL"))
@@ -78,11 +97,15 @@ def law_for(
     step = frame or dt or FRAME
     law: Law = Direct(condition.full_stick)
     steps: list[tuple[Loop, _Closed]] = []
-    for loop in loops(text, own):
-        closed = _close_loop(loop, law, condition, form, dt)
+    spoken = loops(text, own)
+    around = _Around(condition, form, dt, actuators, dict(spoken[-1].settings) if spoken[-1].part is Sensors else {})
+    for loop in spoken:
+        closed = _close_loop(loop, law, around)
         law = closed.law
         steps.append((loop, closed))
-    whole, flown = close(condition, law, form=form), close(condition, law, step, form=form)
+    alone = close(condition, without_sensors(law), form=form)
+    whole = close(condition, law, None, actuators, form)
+    flown = close(condition, law, step, actuators, form)
     achieved, notes = [], []
     for _, closed in steps:
         notes += closed.notes
@@ -91,7 +114,10 @@ def law_for(
         s = nearest_root(whole, closed.root)
         z = nearest_root(flown, s)
         quantity = closed.achieved.quantity
-        achieved.append(replace(closed.achieved, continuous=measure(s, quantity), flown=measure(z, quantity)))
+        by_itself = measure(nearest_root(alone, closed.root), quantity)
+        achieved.append(
+            replace(closed.achieved, alone=by_itself, continuous=measure(s, quantity), flown=measure(z, quantity))
+        )
     bare = [m.eigenvalue for m in modes(condition, form)]
     if not stable(whole, bare):
         notes.append("With these gains the closed loop has a mode that grows faster than any of the bare aircraft.")
@@ -113,7 +139,8 @@ def _said(name: str, settings: Mapping[str, float]) -> str:
     return " ".join([name, *(f"{key}={value!r}{angles.get(key, '')}" for key, value in settings.items())])
 
 
-def _close_loop(loop: Loop, inner: Law, condition: FlightCondition, form: Form, dt: float | None) -> _Closed:
+def _close_loop(loop: Loop, inner: Law, around: _Around) -> _Closed:
+    condition, form, dt = around.condition, around.form, around.dt
     rule = RULES.get(loop.name)
     units = units_of(loop.part)
     settings = dict(loop.settings)
@@ -145,13 +172,13 @@ def _close_loop(loop: Loop, inner: Law, condition: FlightCondition, form: Form, 
         return law
 
     def closed(**gains: float) -> LinearModel:
-        return close(condition, made(**gains), dt, form=form)
+        return around.close(made(**gains))
 
     if rule is None:
         return _Closed(made(), _all_settings(loop, settings, {}), None, 0j, _notes(made()))
     zero = dict.fromkeys(rule.gains, 0.0)
     without = closed(**zero)
-    begin = _root_of(without, rule.mode)
+    begin = nearest_root(without, _root_of(close(condition, made(**zero), dt, form=form), rule.mode))
     if by_hand:
         s = followed_root(without, closed(), begin)
         quantity = rule.wishes[0]
@@ -254,7 +281,7 @@ def _achieved(
 ) -> Achieved:
     has = measure(s, quantity)
     before = measure(begin, quantity)
-    return Achieved(loop.name, rule.mode, quantity, WISHES[quantity], wanted, before, has, has, has, reached)
+    return Achieved(loop.name, rule.mode, quantity, WISHES[quantity], wanted, before, has, has, has, has, reached)
 
 
 def _fair(mode: str, quantity: Quantity, has: float) -> float:

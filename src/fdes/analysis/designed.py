@@ -14,7 +14,8 @@ class Achieved:
     """What one loop was designed for, and what came of it, in the unit of `quantity`.
 
     wanted: None where gains were given by hand. before: without this loop. designed: with this loop closed, where it
-    was designed. continuous and flown: of the whole law, continuous, and sampled at the frame of the flight.
+    was designed. alone: of the whole law, continuous, without sensors and actuators. continuous and flown: with those
+    there are, continuous, and sampled at the frame of the flight.
     reached: whether what was wanted could be had.
     """
 
@@ -25,6 +26,7 @@ class Achieved:
     wanted: float | None
     before: float
     designed: float
+    alone: float
     continuous: float
     flown: float
     reached: bool

@@ -133,8 +133,9 @@ def _gain_of_its_size(A0: Array, A1: Array, dt: float | None, root: complex) -> 
     """The gain that would move the root by its own size, at the speed at which it begins to move."""
     values, right = np.linalg.eig(A0)
     k = int(np.argmin(np.abs(_continuous(values, dt) - root)))
-    left = np.linalg.inv(right)
-    speed = abs(left[k] @ A1 @ right[:, k])
+    turned, left = np.linalg.eig(A0.T)  # not the inverse of `right`: a delay of several frames has none
+    y, x = left[:, int(np.argmin(np.abs(turned - values[k])))], right[:, k]
+    speed = abs(y @ A1 @ x) / max(abs(y @ x), 1e-300)
     speed = speed if dt is None else speed / dt / abs(values[k])
     return float(max(abs(root), SLOWEST) / speed) if speed > 1e-12 else 1.0
 

@@ -16,7 +16,7 @@ from fdes.analysis.design import law_for
 from fdes.analysis.flown_plant import NONLINEAR, is_nonlinear, plant_in
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
-from fdes.flight.actuated import recorded_type, with_actuators
+from fdes.flight.actuated import actuators_of, recorded_type, with_actuators
 from fdes.flight.crossing import as_far
 from fdes.flight.header import condition_in
 from fdes.flight.recorder import columns_of
@@ -92,7 +92,9 @@ def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
     other = _Other(variation)
     if "law" in variation.instead:  # gains designed once, and kept through whatever is changed in flight
         new = other.header(recording.header)
-        gains = law_for(new["law"], condition_of(new), new["form"], frame=new["dt"]).text
+        flown = condition_of(new)
+        moved = actuators_of(flown) if new.get("actuators") else None
+        gains = law_for(new["law"], flown, new["form"], frame=new["dt"], actuators=moved).text
         other = _Other(replace(variation, instead={**variation.instead, "law": gains}))
     if variation.instead.keys() & {*OF_THE_AIRCRAFT, "plant"}:
         recording = _begun_by(recording, other)

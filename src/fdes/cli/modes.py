@@ -106,7 +106,7 @@ def _closed(
     from fdes.flight.actuated import actuators_of
 
     dt = frame_of(sampled)
-    designed = designed_law(text, ready, form, dt)
+    designed = designed_law(text, ready, form, dt, actuators=actuators)
     on = actuators_of(ready) if actuators else None
     found = modes_of(close(ready, designed.law, dt, on, form))
     left = costs(ready, designed.law, dt, on, form)

@@ -86,17 +86,24 @@ def chosen(
 
 
 def designed_law(
-    text: str, ready: "FlightCondition", form: "Form", dt: float | None = None, frame: float | None = None
+    text: str,
+    ready: "FlightCondition",
+    form: "Form",
+    dt: float | None = None,
+    frame: float | None = None,
+    *,
+    actuators: bool = False,
 ) -> "Designed":
     """The law that was said; a path runs a file, which only whoever sits at the computer may ask for. Raises FdesError.
 
-    dt [s]: designed in z at that step; frame [s]: flown at that.
+    dt [s]: designed in z at that step; frame [s]: flown at that. actuators: with those that are assumed.
     """
     from fdes.analysis.design import law_for
     from fdes.control.own_law import own_laws
+    from fdes.flight.actuated import actuators_of
 
     said, own = own_laws(text)
-    return law_for(said, ready, form, dt, frame, own)
+    return law_for(said, ready, form, dt, frame, own, actuators_of(ready) if actuators else None)
 
 
 def law_in(path: str) -> Any:

@@ -138,7 +138,7 @@ def qualities(
     ready = chosen(aircraft, condition, variant, changes)
     role = role_of(ready.document, ready.condition).but(flying_class, category, phase)
     dt = frame_of(sampled)
-    designed = designed_law(law or "direct", ready, wanted, dt) if law or actuators or dt else None
+    designed = designed_law(law or "direct", ready, wanted, dt, actuators=actuators) if law or actuators or dt else None
     on = actuators_of(ready) if actuators else None
 
     def loop(changed: "FlightCondition", other: "Law | None" = None) -> "LinearModel":

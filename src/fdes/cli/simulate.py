@@ -129,7 +129,7 @@ def simulate(
         raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
     ready = chosen(aircraft, condition, variant, changes, across, spool=spool)
     clock = _clock(dt, substeps, duration)
-    closed = {} if law is None else _law(law, ready, form, dt, quiet=out == STDOUT)
+    closed = {} if law is None else _law(law, ready, form, dt, actuators=actuators, quiet=out == STDOUT)
     given = {"integrator": integrator, "initial": initial or (), "limits": limits, **closed}
     start = None if height is None else parse(height, "m")
     if plant == "linear":
@@ -190,9 +190,9 @@ def _no_actuators(actuators: bool) -> None:
         raise SpecError("The nonlinear plant has no actuators: leave --actuators out, or fly the linear plant.")
 
 
-def _law(text: str, ready: "FlightCondition", form: str, dt: float, *, quiet: bool) -> dict[str, Any]:
+def _law(text: str, ready: "FlightCondition", form: str, dt: float, *, actuators: bool, quiet: bool) -> dict[str, Any]:
     """The law as `fdes.simulate` takes it, shown unless the flight itself goes to stdout."""
-    designed = designed_law(text, ready, form_of_equations(form), frame=dt)
+    designed = designed_law(text, ready, form_of_equations(form), frame=dt, actuators=actuators)
     if not quiet:
         show_law(designed)
     return {"law": designed.law, "said": designed.text}

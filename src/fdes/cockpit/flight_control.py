@@ -8,7 +8,6 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -16,9 +15,8 @@ import numpy as np
 from fdes.aircraft import FlightCondition
 from fdes.analysis.closed_loop import close, with_actuators
 from fdes.analysis.design import RULES, law_for
-from fdes.analysis.designed import Achieved, Designed
+from fdes.analysis.designed import Designed
 from fdes.analysis.linearize import linear_model
-from fdes.analysis.placement import measure, nearest_root
 from fdes.control import LinearModel
 from fdes.control.laws.direct import Direct
 from fdes.control.spoken import WISHES, units_of
@@ -61,7 +59,6 @@ class Fitted:
     control: Control
     designed: Designed
     model: LinearModel
-    actuated: Mapping[str, float]  # by law, what is flown of its quantity with the actuators
 
     @property
     def bare(self) -> bool:
@@ -76,13 +73,12 @@ def fitted(control: Control, condition: FlightCondition, form: Form, dt: float) 
         model = linear_model(condition, form)
         law = Designed(Direct(condition.full_stick), NONE, {}, (), (), dt)
         whole = with_actuators(model, actuators) if actuators else model
-        return Fitted(replace(control, law=NONE, wanted={}), law, whole, {})
+        return Fitted(replace(control, law=NONE, wanted={}), law, whole)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", RuntimeWarning)  # an overflow shows in what comes out
-            found = law_for(control.law, condition, form, dt if control.sampled else None, dt)
+            found = law_for(control.law, condition, form, dt if control.sampled else None, dt, actuators=actuators)
             model = close(condition, found.law, None, actuators, form)
-            flown = close(condition, found.law, dt, actuators, form) if actuators else None
             if not np.isfinite(model.A).all():
                 raise SpecError(_too_great(control.law))
     except (ArithmeticError, np.linalg.LinAlgError):
@@ -90,18 +86,7 @@ def fitted(control: Control, condition: FlightCondition, form: Form, dt: float) 
     achieved = tuple(replace(a, wanted=control.wanted.get(a.law)) if a.wanted is None else a for a in found.achieved)
     wanted = {a.law: a.wanted for a in achieved if a.wanted is not None}
     found = replace(found, achieved=achieved)
-    actuated = {} if flown is None else {a.law: _with_actuators(a, model, flown) for a in achieved}
-    return Fitted(replace(control, law=found.text, wanted=wanted), found, model, actuated)
-
-
-def _with_actuators(a: Achieved, model: LinearModel, flown: LinearModel) -> float:
-    """What is flown of a loop's quantity with actuators: that of the root nearest to the one without."""
-    from fdes.analysis.modes import modes
-
-    named = next((m for m in modes(model) if m.name == a.mode), None)
-    if named is None:
-        return float("nan")
-    return measure(nearest_root(flown, named.eigenvalue), a.quantity)
+    return Fitted(replace(control, law=found.text, wanted=wanted), found, model)
 
 
 def _too_great(text: str) -> str:
@@ -111,9 +96,6 @@ def _too_great(text: str) -> str:
 def control_message(now: Fitted, condition: FlightCondition) -> dict[str, Any]:
     """The wire's CONTROL: the law in use, what came of its design, and the actuators."""
     said = now.designed.as_dict()
-    for one in said["achieved"]:
-        value = now.actuated.get(one["law"])
-        one["actuated"] = value if value is not None and isfinite(value) else None
     rate = actuators_of(condition).elevator
     return {
         "type": "control",

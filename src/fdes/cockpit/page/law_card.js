@@ -143,18 +143,19 @@ export class LawCard {
 
 /** What is wanted, designed and flown side by side, and what half a frame of delay does. */
 function figures({ achieved, sampled, frame }) {
-  const { mode, quantity, unit, wanted, before, designed, continuous, flown, actuated, reached } = achieved;
+  const { mode, quantity, unit, wanted, before, designed, alone, continuous, flown, reached } = achieved;
   const name = `${WORDS[quantity]} of the ${mode.replaceAll("_", " ")}`;
   const cost = flown - continuous;
   const suffix = unit === "1" ? "" : ` ${unit}`;
+  const late = Math.abs(alone - continuous) > 5e-4 * Math.abs(continuous);
   const cells = [
     ["without", before, `${name} without this loop`],
     ["wanted", wanted, wanted === null ? "The gains are given by hand" : `${name} that was asked for`],
     [`design, ${sampled ? "z" : "s"}`, designed, `${name} where it was designed: ${sampled ? "sampled, in z" : "continuous, in s"}`],
-    ["flown", flown, `${name} as it is flown: ln z / dt at ${Math.round(1 / frame)} frames a second`],
+    ...(late ? [["law alone", alone, `${name} by the law alone, continuous, without sensors and actuators`]] : []),
+    ["flown", flown, `${name} as it is flown, with sensors and actuators: ln z / dt at ${Math.round(1 / frame)} frames a second`],
     ["½ frame", cost, `What the ${(500 * frame).toFixed(1)} ms do by which a held command comes late: flown less continuous`],
   ];
-  if (actuated !== null) cells.push(["actuators", actuated, `${name} as it is flown with actuators`]);
   return cells.map(([label, value, title]) => {
     const missed = label === "wanted" && value !== null && !reached;
     const sign = label === "½ frame" && value > 0 ? "+" : "";
