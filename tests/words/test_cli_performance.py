@@ -51,8 +51,9 @@ def test_as_a_page(tmp_path: Path) -> None:
     found = json.loads(done.stdout)
     assert found["level"]["V"]["unit"] == "m/s"
     assert max(found["turn"]["n"]["values"]) == 9.0
+    assert any("know no Mach number" in sentence for sentence in found["notes"])
     stall = next(f for f in found["figures"]["level flight"] if f["name"] == "stall at idle throttle")
-    assert stall["limit"] == "the angle of attack is 25 deg, the last that is known or allowed"
+    assert stall["limit"] == "angle of attack ends at 25 deg"
     assert found["heights"].keys() == {"h", "V_stall", "V_slow", "V_fast", "V_climb", "excess_power", "time"}
 
 

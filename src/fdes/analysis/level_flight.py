@@ -147,7 +147,7 @@ def largest_lift(craft: Craft, sign: float = 1.0) -> Lift:
         )
     alpha = angles[int(np.argmax(lifts))]
     if alpha == angles[-1] and lift(end) >= max(lifts):
-        return Lift(end, sign, f"the angle of attack is {end / DEG:.3g} deg, the last that is known or allowed")
+        return Lift(end, sign, f"angle of attack ends at {end / DEG:.3g} deg")
     return Lift(best(lift, alpha - STEP, min(alpha + STEP, STEEPEST), 1e-3), sign, "lift is at its largest")
 
 

@@ -40,6 +40,7 @@ from fdes.analysis.v_n import VnDiagram, structure_of, vn_diagram
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.nonlinear import assumptions, six_dof_of
 from fdes.physics.plant import SixDof
+from fdes.physics.terms import ends, term_loads
 from fdes.units import FOOT, Meter, MeterPerSecond, Number, Radian
 
 if TYPE_CHECKING:
@@ -223,7 +224,9 @@ def _assumed(craft: Craft) -> Iterator[str]:
     slow, fast = craft.reach.why_slow, craft.reach.why_fast
     between = f"to {fast}" if craft.reach.slow == 0.0 else f"from {slow}, to {fast}"
     yield f"Its data are used {between}. No limit of pressure, flutter or buffet is known."
-    engine = craft.plant.engine
+    plant, engine = craft.plant, craft.plant.engine
+    if plant.aerodynamics is term_loads and "mach" not in ends(plant.aero):
+        yield "Its aerodynamic tables know no Mach number: far above that of their source, drag is not theirs."
     if hasattr(engine, "T_max"):
         T = craft.full * engine.T_max
         yield f"Assumed: thrust at the full throttle of {craft.full:g} is {T:,.0f} N in the flight condition."
