@@ -21,9 +21,10 @@ from numba.core.typing.templates import AbstractTemplate, infer_global, signatur
 from numba.extending import intrinsic as _intrinsic
 from numba.extending import lower_builtin, lower_cast, make_attribute_wrapper, models, register_model
 
+from fdes.solver_text import OCTET
+
 intrinsic: Any = _intrinsic  # its functions are called without the first argument, which a type checker cannot see
-OCTET = 8  # slopes in one vector: a register of AVX-512, two of AVX2
-VECTOR = ir.VectorType(ir.DoubleType(), OCTET)
+VECTOR = ir.VectorType(ir.DoubleType(), OCTET)  # a register of AVX-512, two of AVX2
 
 
 class OctetType(types.Type):

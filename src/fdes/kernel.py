@@ -16,7 +16,7 @@ import hashlib
 import importlib
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -25,12 +25,12 @@ from types import CodeType, FunctionType, ModuleType
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from fdes.errors import SpecError
+from fdes.solver_text import OCTET, jacobian_text, leaves, solver_text, tuples_of
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 # Not `reassoc`, which would change published digits, nor `nnan` and `ninf`, with which isnan() is always false.
 FLOATING = {"contract", "arcp", "nsz"}
-OCTET = 8  # slopes in a vector of `fdes.duals`
 LANES = 8  # of a block: one AVX-512 register each, two of AVX2; 16 and 32 are 5 % slower on a 14-state model
 NOTHING: Mapping[Any, Any] = {}
 KEPT = 4  # folders of compiled forms: of this FDES, and of the last that was edited or installed beside it
@@ -73,11 +73,12 @@ def batch(
     Raises SpecError where compiling is switched off.
     """
     state, held, numbers, _ = _signature(derivative, "A batch of aircraft")
-    text = _solver_text(state, held, numbers, tableau, lanes) + f"# of {_content(derivative, instead)}\n"
-    solver = module_of(
-        text, {"derivative": _machine_form(derivative, instead, inside=True), **_tuples(state, held, numbers)}
-    )
-    states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
+    text = solver_text(state, held, numbers, tableau, lanes) + f"# of {_content(derivative, instead)}\n"
+    machine = _machine_form(derivative, instead, inside=True)
+    scratch = importlib.import_module("fdes.lanes").scratch
+    solver: Any = module_of(text, {"derivative": machine, "scratch": scratch, **tuples_of(state, held, numbers)})
+    solver.slopes = _njit(solver.slopes, cached=False)
+    states, inputs, parameters = (tuple(leaves(t)) for t in (state, held, numbers))
     return Batch(states, inputs, parameters, _njit(solver.advance, nogil=True))
 
 
@@ -102,13 +103,13 @@ def jacobian(derivative: Callable[[Any, Any, Any], Any], instead: Mapping[Any, A
     Arguments are as of `batch`. Raises SpecError where compiling is switched off.
     """
     state, held, numbers, result = _signature(derivative, "The slopes of a derivative")
-    states, inputs, parameters = (tuple(_leaves(t)) for t in (state, held, numbers))
+    states, inputs, parameters = (tuple(leaves(t)) for t in (state, held, numbers))
     octets = -(-(len(states) + len(inputs)) // OCTET)
-    text = _jacobian_text((state, held, numbers), len(list(_leaves(result))), octets)
+    text = jacobian_text((state, held, numbers), len(list(leaves(result))), octets)
     text += f"# of {_content(derivative, instead)}\n"
     duals = importlib.import_module("fdes.duals")
     given = {"derivative": _machine_form(derivative, instead, inside=True, forms="fdes.duals")}
-    given |= {"seed": duals.seed, "store": duals.store, **_tuples(state, held, numbers)}
+    given |= {"seed": duals.seed, "store": duals.store, **tuples_of(state, held, numbers)}
     solver = module_of(text, given)
     return Jacobian(states, inputs, parameters, octets * OCTET, _njit(solver.fill, nogil=True))
 
@@ -219,113 +220,6 @@ def _cache_folder() -> Path:
     for outdated in others[KEPT:]:
         rmtree(outdated, ignore_errors=True)
     return folder
-
-
-# The solver of a batch: its text is made for the fields of its tuples, for numba has no way to loop over them.
-
-
-def _solver_text(state: type, held: type, numbers: type, tableau: Any, lanes: int) -> str:
-    """One block of `lanes` aircraft after the other, all of its numbers in one scratch array `w`, row by row."""
-    counts = [len(list(_leaves(t))) for t in (state, held, numbers)]
-    n, m, p = counts
-    first = n + m + p  # rows: the state of a stage, what is held, the numbers, the state, and a slope for each stage
-    places = iter([f"w[{row * lanes} + l]" for row in range(first)])
-    arguments = ", ".join(_built(t, places) for t in (state, held, numbers))
-    return "\n".join([
-        "import numpy as np",
-        "",
-        "def advance(x, held, numbers, h, steps):",
-        f"    count, w = x.shape[1], np.empty({(first + n * (1 + len(tableau.b))) * lanes})",
-        f"    for start in range(0, count, {lanes}):",
-        *_copied_in("x", n, first, lanes),
-        *_copied_in("held", m, n, lanes),
-        *_copied_in("numbers", p, n + m, lanes),
-        "        for _ in range(steps):",
-        *[line for k in range(len(tableau.b)) for line in _stage(k, n, first, arguments, tableau, lanes)],
-        *_combined(tableau.b, n, first, first, lanes),
-        f"        for l in range(min({lanes}, count - start)):",
-        *[f"            x[{i}, start + l] = w[{(first + i) * lanes} + l]" for i in range(n)],
-        "",
-    ])  # fmt: skip
-
-
-def _copied_in(name: str, rows: int, to: int, lanes: int) -> list[str]:
-    """A block that is not full repeats the last aircraft."""
-    return [
-        f"        for l in range({lanes}):",
-        "            column = min(start + l, count - 1)",
-        *[f"            w[{(to + i) * lanes} + l] = {name}[{i}, column]" for i in range(rows)],
-    ]
-
-
-def _stage(k: int, n: int, first: int, arguments: str, tableau: Any, lanes: int) -> list[str]:
-    slope = first + n * (1 + k)
-    return [
-        *_combined(tableau.a[k], n, first, 0, lanes),
-        f"            for l in range({lanes}):",
-        f"                d = derivative({arguments})",
-        *[f"                w[{(slope + i) * lanes} + l] = d[{i}]" for i in range(n)],
-    ]
-
-
-def _combined(weights: tuple[float, ...], n: int, first: int, to: int, lanes: int) -> list[str]:
-    """Row `to` becomes the state plus h times the weighted slopes."""
-    used = [(j, a) for j, a in enumerate(weights) if a]
-    span = n * lanes
-    sum_ = " + ".join(f"{a!r} * w[{(first + n * (1 + j)) * lanes} + i]" for j, a in used)
-    moved = f" + h * ({sum_})" if used else ""
-    return [
-        f"            for i in range({span}):",
-        f"                w[{to * lanes} + i] = w[{first * lanes} + i]{moved}",
-    ]
-
-
-def _jacobian_text(arguments: tuple[type, ...], results: int, octets: int) -> str:
-    """One point after the other; the first two arguments are dual numbers, each with a direction of its own."""
-    columns, places = 0, []
-    for name, tuple_ in zip(("x", "held", "numbers"), arguments, strict=True):
-        count = len(list(_leaves(tuple_)))
-        if name == "numbers":
-            places += [f"numbers[k, {i}]" for i in range(count)]
-            continue
-        places += [f"seed({name}[k, {i}], {columns + i}, {octets})" for i in range(count)]
-        columns += count
-    each = iter(places)
-    width = octets * OCTET
-    return "\n".join([
-        "def fill(x, held, numbers, results, slopes):",
-        "    for k in range(x.shape[0]):",
-        f"        d = derivative({', '.join(_built(t, each) for t in arguments)})",
-        *[f"        results[k, {i}] = d[{i}].real" for i in range(results)],
-        *[f"        store(slopes, (k * {results} + {i}) * {width}, d[{i}])" for i in range(results)],
-        "",
-    ])  # fmt: skip
-
-
-def _built(tuple_: type, places: Iterator[str]) -> str:
-    """The text that makes a named tuple of the numbers in those places."""
-    parts = [
-        _built(t, places) if isinstance(t, type) and hasattr(t, "_fields") else next(places)
-        for t in get_type_hints(tuple_).values()
-    ]
-    return f"{tuple_.__name__}({', '.join(parts)})"
-
-
-def _leaves(tuple_: type, prefix: str = "") -> Iterator[str]:
-    """The names of all floats in a named tuple and in the tuples within it."""
-    for name, t in get_type_hints(tuple_).items():
-        if isinstance(t, type) and hasattr(t, "_fields"):
-            yield from _leaves(t, f"{prefix}{name}.")
-        else:
-            yield prefix + name
-
-
-def _tuples(*found: type) -> dict[str, type]:
-    """The named tuples and those within them, by name."""
-    all_ = {t.__name__: t for t in found}
-    for t in found:
-        all_ |= _tuples(*[i for i in get_type_hints(t).values() if isinstance(i, type) and hasattr(i, "_fields")])
-    return all_
 
 
 def module_of(text: str, given: Mapping[str, Any]) -> ModuleType:

@@ -12,11 +12,29 @@ import math
 from typing import Any
 
 import numpy as np
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.extending import intrinsic
 
 LN2_HIGH, LN2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10  # ln 2 in two parts, fdlibm e_exp.c
 PIO2_HIGH, PIO2_MIDDLE, PIO2_LOW = 1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624879595063154e-21
 TAN_PI_8 = 0.41421356237309503
 EXPONENT, FRACTION = 52, 0xFFFFFFFFFFFFF  # bits of IEEE 754 binary64
+
+
+@intrinsic(prefer_literal=True)
+def scratch(typingctx: Any, count: Any) -> Any:
+    """An array of so many floats, a literal number of them, on the stack: no other pointer leads there."""
+    kind, size = types.Array(types.float64, 1, "C"), count.literal_value
+
+    def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        data = cgutils.alloca_once(builder, ir.DoubleType(), size=size)
+        array = context.make_array(kind)(context, builder)
+        length, width = (context.get_constant(types.intp, n) for n in (size, 8))
+        context.populate_array(array, data=data, shape=[length], strides=[width], itemsize=width, meminfo=None)
+        return array._getvalue()  # noqa: SLF001  numba's own way to read it
+
+    return kind(count), code
 
 
 def where(test: Any, a: Any, b: Any) -> Any:

@@ -10,6 +10,7 @@ from fdes.analysis.batch import columns_of, fly_many, solver_of
 from fdes.analysis.compiled_plant import Given, numbers_of
 from fdes.errors import SpecError
 from fdes.flight.nonlinear import six_dof_of
+from fdes.physics.across_mach import across_mach, across_mach_loads
 from fdes.physics.earth import WGS84
 from fdes.physics.plant import SixDof, State, derivative, state_at
 from fdes.physics.runge_kutta import step
@@ -111,6 +112,16 @@ def test_tables_may_go_on_beyond_their_ends() -> None:
     g = given(1)[0]
     y = step(lambda z: derivative(plant, State(*z), g.held, g.air), plant.start(), H, plant.integrator)
     assert end == pytest.approx(y, rel=1e-13, abs=1e-13)
+
+
+def test_what_chooses_among_conditions_underway_is_refused() -> None:
+    plant = six_dof_of(load("A-4D").at())
+    sets = tuple(plant.aero._replace(mach_0=mach) for mach in (0.4, 0.6, 0.8))
+    plant = plant._replace(aero=across_mach(sets), aerodynamics=across_mach_loads)
+    with pytest.raises(
+        SpecError, match=r"between 3 conditions cannot be compiled.* in the plain form, or without across"
+    ):
+        solver_of(plant)
 
 
 def test_columns_are_aircraft() -> None:

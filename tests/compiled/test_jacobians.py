@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from fdes.aircraft import load
-from fdes.analysis.jacobians import COLUMNS, slopes_at
+from fdes.analysis.jacobian import linearized
+from fdes.analysis.jacobians import COLUMNS, linear_models, slopes_at
+from fdes.analysis.trim import TrimSpec, trim
 from fdes.errors import SpecError
 from fdes.flight.nonlinear import six_dof_of
 from fdes.physics.attitude import quaternion
@@ -76,6 +78,12 @@ def test_slopes_are_those_of_the_plain_text(name: str, x: State, held: Surfaces,
     assert off(plant_of(name), x, held, air) < EXACT
 
 
+def test_slopes_between_two_conditions() -> None:
+    plant = six_dof_of(load("A-4D").at(across="mach"))
+    x = plant.start()._replace(u=0.5 * (plant.aero.low.mach_0 + plant.aero.high.mach_0) * 330.0, v=5.0, q=0.05)
+    assert off(plant, x, Surfaces(-0.05, 0.02, 0.01, 0.4), Air()) < EXACT
+
+
 def test_slopes_over_the_turning_earth() -> None:
     here = state_at(WGS84, (0.7, 0.3, 3000.0), (150.0, 10.0, 2.0), (0.1, 0.06, 0.4), (0.1, 0.05, -0.02))
     assert off(plant_of("F-16")._replace(earth=WGS84), here, Surfaces(-0.05, 0.02, 0.01, 0.4), Air()) < EXACT
@@ -92,6 +100,20 @@ def test_each_point_has_its_own_plant_and_its_own_slopes() -> None:
     surge = COLUMNS.index("u"), COLUMNS.index("throttle")
     assert both.by[(0, *surge)] == pytest.approx(0.0)  # thrust follows the power, and the power the throttle
     assert both.by[0, COLUMNS.index("power"), COLUMNS.index("throttle")] > 10.0
+
+
+@pytest.mark.parametrize(("name", "speeds"), [("F-16", (130.0, 160.0)), ("NAVION", (45.0, 50.0, 55.0))])
+def test_linear_models_are_those_of_the_complex_step(name: str, speeds: tuple[float, ...]) -> None:
+    condition = load(name).at()
+    points = [trim(six_dof_of(condition), TrimSpec(V, 1000.0, gamma=0.02)) for V in speeds]
+    for point, found in zip(points, linear_models(points), strict=True):
+        wanted = linearized(point)
+        assert pytest.approx(wanted.A, rel=1e-12, abs=1e-12) == found.A
+        assert pytest.approx(wanted.B, rel=1e-12, abs=1e-12) == found.B
+        assert (found.states, found.inputs, found.point) == (wanted.states, wanted.inputs, wanted.point)
+    turning = trim(six_dof_of(condition), TrimSpec(speeds[-1], 1000.0, turn=0.02))
+    with pytest.raises(SpecError, match=r"Only straight flight without sideslip is linearized"):
+        linear_models([*points, turning])
 
 
 def test_one_of_each_is_asked_for() -> None:

@@ -10,13 +10,16 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, NamedTuple
 
-from fdes.analysis.straight_line import arrays_of, spot_in_lanes, term_names, term_text
+from fdes.analysis.straight_line import arrays_of, longest_axis, spot_text, term_names, term_text
+from fdes.elementary import where
+from fdes.errors import SpecError
 from fdes.kernel import module_of
 from fdes.physics import earth as earths
+from fdes.physics.across_mach import across_mach_loads
 from fdes.physics.atmosphere import air_at, standard_atmosphere
 from fdes.physics.plant import SixDof, State, air_loads, day_at, derivative, thrust_of
 from fdes.physics.signals import Air, Surfaces
-from fdes.physics.tables import spot
+from fdes.physics.tables import Spot, spot
 from fdes.physics.terms import TermAero, body_coefficients
 
 PARTS = ("inertia", "aero", "engine", "limits", "rest", "wind", "warmer", "earth")  # of a plant: those with numbers
@@ -66,7 +69,12 @@ class Structure(NamedTuple):
 
 
 def kind_of(plant: SixDof) -> Kind:
-    """The kind of `plant`."""
+    """The kind of `plant`. Raises SpecError where it is interpolated between more than two conditions."""
+    if plant.aerodynamics is across_mach_loads:
+        raise SpecError(
+            f"An aircraft that is interpolated across Mach between {len(plant.aero.pieces) + 1} conditions cannot be "
+            "compiled: it chooses two of them underway. Fly it in the plain form, or without across."
+        )
     functions = plant.aerodynamics, plant.propulsion, plant.atmosphere
     tables = _fixed(plant.aero), _fixed(plant.engine)
     return Kind((functions, tables, type(plant.aero), type(plant.engine), bool(plant.earth.g)), plant)
@@ -77,16 +85,20 @@ def structure_of(kind: Kind) -> Structure:
     """What is compiled of plants of that kind."""
     plant = kind.plant
     text = TEXT.format(aero=_rebuilt("plant.aero", plant.aero), engine=_rebuilt("plant.engine", plant.engine))
+    longest = longest_axis((plant.aero, plant.engine))
+    text += spot_text(longest)
     names = {
         "derivative": derivative,
         "aerodynamics": plant.aerodynamics,
         "propulsion": plant.propulsion,
         "atmosphere": air_at if plant.atmosphere is standard_atmosphere else plant.atmosphere,
-        **_constants("aero", plant.aero),
-        **_constants("engine", plant.engine),
+        "where": where,
+        "Spot": Spot,
+        **_constants("aero", plant.aero, longest),
+        **_constants("engine", plant.engine, longest),
     }
     if isinstance(plant.aero, TermAero):
-        text, names = text + "\n" + term_text(plant.aero), names | term_names(plant.aero)
+        text, names = text + "\n" + term_text(plant.aero), names | term_names(plant.aero, longest)
     made = module_of(text, names)
     flat = bool(plant.earth.g)
     instead = {
@@ -95,7 +107,7 @@ def structure_of(kind: Kind) -> Structure:
         day_at: made.day_at,
         earths.place: earths.flat_place if flat else earths.round_place,
         earths.gravitation: earths.flat_gravitation if flat else earths.round_gravitation,
-        spot: spot_in_lanes,
+        spot: made.spot,
     }
     if isinstance(plant.aero, TermAero):
         instead[body_coefficients] = made.body_coefficients
@@ -157,9 +169,9 @@ def _rebuilt(place: str, value: Any) -> str:
     return f"{name}_type({', '.join(parts)})"
 
 
-def _constants(name: str, value: Any) -> dict[str, Any]:
+def _constants(name: str, value: Any, longest: int) -> dict[str, Any]:
     """What `_rebuilt` asks for by name."""
     if isinstance(value, TermAero):
         return {}
-    fixed = {f"{name}_{f}": arrays_of(getattr(value, f)) for f in value._fields if not _varies(getattr(value, f))}
-    return {f"{name}_type": type(value), **fixed}
+    fixed = [f for f in value._fields if not _varies(getattr(value, f))]
+    return {f"{name}_type": type(value), **{f"{name}_{f}": arrays_of(getattr(value, f), longest) for f in fixed}}

@@ -7,6 +7,8 @@ lag is taken as settled: its power is no state here.
 Reference: W. Squire, G. Trapp, SIAM Review 40 (1998) 110-112.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from fdes.analysis.linearize import INPUTS, STATES
@@ -33,10 +35,7 @@ def linearized(point: TrimPoint, *, thrust_held: bool = False) -> LinearModel:
     Outputs are those of `Outputs` with their names, rates and load factors along body axes. Raises SpecError where the
     flight turns or sideslips, for then longitudinal and lateral motion are one.
     """
-    if point.spec.turn or point.spec.beta or point.spec.q:
-        raise SpecError(
-            "Only straight flight without sideslip is linearized: leave turns, pull-ups and sideslip out of the trim."
-        )
+    must_be_straight(point)
     plant = point.plant._replace(limits=FREE)
     if thrust_held:
         plant = plant._replace(engine=engine_held(point), propulsion=at_once, settled=no_power)
@@ -86,17 +85,36 @@ def engine_held(point: TrimPoint) -> Engine:
     return Engine(T_max=sqrt(push.X * push.X + push.Z * push.Z) / throttle, tilt=atan2(-push.Z, push.X))
 
 
-def _rates_and_outputs(plant: SixDof, point: TrimPoint, z: list[complex]) -> list[complex]:
-    """d/dt of the eight states, the trimmed flight being where all of them are zero; then the outputs."""
+def moved_by(plant: SixDof, point: TrimPoint, z: Sequence[complex]) -> tuple[State, Surfaces]:
+    """The trimmed flight with `z` added to it: the eight states, then the inputs. The engine has settled."""
     u, w, q, theta, beta, p, r, phi, elevator, throttle, aileron, rudder = z
-    ca, sa = cos(point.alpha), sin(point.alpha)
     zero = 0.0 * u
     by = PerturbationState(u, w, q, theta, beta, p, r, phi, zero, zero, zero, zero)  # type: ignore[arg-type]
     held = Surfaces(elevator, aileron, rudder, point.surfaces.throttle + throttle)  # type: ignore[arg-type]
-    x = perturbed(point, by)._replace(power=plant.settled(plant.engine, held.throttle))
-    d = plant.derivative(x, held, CALM)
+    return perturbed(point, by)._replace(power=plant.settled(plant.engine, held.throttle)), held
+
+
+def rates_along_stability_axes(point: TrimPoint, d: State, z: Sequence[complex]) -> list[complex]:
+    """d/dt of the eight states: linear in dx/dt and in `z`, which is added to the trimmed flight."""
+    _, _, q, _, _, p, r, *_ = z
+    ca, sa = cos(point.alpha), sin(point.alpha)
     along, across = d.u * ca + d.w * sa, d.w * ca - d.u * sa
     roll, yaw = d.p * ca + d.r * sa, d.r * ca - d.p * sa
     bank = p + r * tan(point.spec.gamma)  # of Euler's kinematics, which are linear in p, q, r about straight flight
+    return [along, across, d.q, q, d.v / point.spec.V, roll, yaw, bank]
+
+
+def must_be_straight(point: TrimPoint) -> None:
+    """Raises SpecError where the flight turns or sideslips, for then longitudinal and lateral motion are one."""
+    if point.spec.turn or point.spec.beta or point.spec.q:
+        raise SpecError(
+            "Only straight flight without sideslip is linearized: leave turns, pull-ups and sideslip out of the trim."
+        )
+
+
+def _rates_and_outputs(plant: SixDof, point: TrimPoint, z: Sequence[complex]) -> list[complex]:
+    """d/dt of the eight states, the trimmed flight being where all of them are zero; then the outputs."""
+    x, held = moved_by(plant, point, z)
+    rates = rates_along_stability_axes(point, plant.derivative(x, held, CALM), z)
     y = plant.observe(x, held, CALM)._asdict()
-    return [along, across, d.q, q, d.v / point.spec.V, roll, yaw, bank, *(y[name] for name in OUTPUTS)]
+    return [*rates, *(y[name] for name in OUTPUTS)]

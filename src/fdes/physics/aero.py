@@ -84,6 +84,8 @@ def simple_body_loads(body: SimpleBody, flow: Flow, surfaces: Surfaces) -> AirLo
         qS * body.b * body.Cl_p * hat * body.b * flow.p,
         qS * body.c * body.Cm_q * hat * body.c * flow.q,
         qS * body.b * body.Cn_r * hat * body.b * flow.r,
+        0.0,
+        0.0,
     )
 
 
