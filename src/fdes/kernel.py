@@ -72,7 +72,7 @@ def batch(
     are called. Nothing loops over aircraft but the innermost loop, which the compiler turns into packed instructions.
     Raises SpecError where compiling is switched off.
     """
-    state, held, numbers, _ = _signature(derivative, "A batch of aircraft")
+    state, held, numbers, _ = _signature(derivative, "A batch of aircraft needs")
     text = solver_text(state, held, numbers, tableau, lanes) + f"# of {_content(derivative, instead)}\n"
     machine = _machine_form(derivative, instead, inside=True)
     scratch = importlib.import_module("fdes.lanes").scratch
@@ -102,7 +102,7 @@ def jacobian(derivative: Callable[[Any, Any, Any], Any], instead: Mapping[Any, A
 
     Arguments are as of `batch`. Raises SpecError where compiling is switched off.
     """
-    state, held, numbers, result = _signature(derivative, "The slopes of a derivative")
+    state, held, numbers, result = _signature(derivative, "The slopes of a derivative need")
     states, inputs, parameters = (tuple(leaves(t)) for t in (state, held, numbers))
     octets = -(-(len(states) + len(inputs)) // OCTET)
     text = jacobian_text((state, held, numbers), len(list(leaves(result))), octets)
@@ -117,7 +117,7 @@ def jacobian(derivative: Callable[[Any, Any, Any], Any], instead: Mapping[Any, A
 def _signature(derivative: Any, what: str) -> tuple[type, type, type, type]:
     """The named tuples that it takes, and the one it gives. Raises SpecError where compiling is switched off."""
     if not enabled():
-        raise SpecError(f"{what} needs compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
+        raise SpecError(f"{what} compiled code, and FDES_COMPILED=0 switches that off. Unset it.")
     state, held, numbers, result = get_type_hints(derivative).values()
     return state, held, numbers, result
 

@@ -71,8 +71,10 @@ def test_one_function_compiles_with_all_that_it_calls() -> None:
 def test_compiling_can_be_switched_off(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("FDES_COMPILED", "0")
     assert kernel.compiled(craft.derivative) is craft.derivative
-    with pytest.raises(SpecError, match=r"FDES_COMPILED=0 switches that off\. Unset it\."):
+    with pytest.raises(SpecError, match=r"A batch of aircraft needs compiled code, and FDES_COMPILED=0 .*Unset it\."):
         kernel.batch(craft.derivative, rk4)
+    with pytest.raises(SpecError, match=r"The slopes of a derivative need compiled code, and FDES_COMPILED=0"):
+        kernel.jacobian(craft.derivative)
 
 
 def test_a_new_process_compiles_nothing_again(tmp_path: Path) -> None:
