@@ -11,6 +11,7 @@ from axe_playwright_python.sync_playwright import Axe
 
 from fdes.aircraft import load
 from fdes.aircraft.load import aircraft_of
+from fdes.aircraft.role import role_of
 from fdes.aircraft.save import as_toml
 from fdes.analysis import linear_model, modes
 from fdes.cockpit.draft import LARGEST, reviewed
@@ -165,6 +166,22 @@ def test_what_flies_now_fills_the_form_with_its_changes(page: Any) -> None:
     page.wait_for_selector(".new-aircraft .verdict.is-open")
     page.get_by_label("Start from").select_option("flown")
     page.get_by_text("It has dimensional derivatives or tables, which this form does not ask.").wait_for()
+
+
+def test_class_category_and_phase_go_into_the_file_with_their_reason(page: Any) -> None:
+    page.get_by_label("Start from").select_option("flown")
+    page.wait_for_selector(GOOD)
+    page.locator(".new-aircraft").get_by_role("combobox", name="Class", exact=True).select_option("II-C")
+    page.locator(".new-aircraft").get_by_role("combobox", name="Category", exact=True).select_option("C")
+    page.locator(".new-aircraft").get_by_role("combobox", name="Flight Phase").select_option("PA")
+    page.get_by_label("Reason", exact=True).fill("carrier trainer")
+    with page.expect_response(lambda response: response.request.method == "POST") as reviewed:
+        page.get_by_label("Reason", exact=True).press("End")
+        page.get_by_label("Reason", exact=True).fill("a carrier trainer")
+    file = reviewed.value.json()["file"]
+    role = role_of(aircraft_of(file["text"], "the file").document, "as entered")
+    assert (role.airplane_class, role.category, role.phase) == ("II-C", "C", "PA")
+    assert role.reason.startswith("a carrier")
 
 
 def test_the_navion_is_entered_by_hand_checked_mended_and_flown(

@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from fdes.aircraft import Aircraft, check, parse
 from fdes.aircraft.explain import by_place
 from fdes.aircraft.load import aircraft_of
+from fdes.aircraft.role import CATEGORIES, CLASSES, PHASES
 from fdes.aircraft.schema import UNLESS_SAID, AircraftFile, Assumed, Derivatives
 from fdes.errors import AircraftFileError, FdesError, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
@@ -24,7 +25,7 @@ MOST = 64  # errors that are answered
 QUANTITIES = ("1/rad", "rad", "m", "m^2", "kg", "kg m^2", "m/s", "kg/m^3", "m/s^2", "N")
 NEEDED = {
     "mass": ("Ix", "Iy", "Iz"),
-    "assumed": tuple(name for name in Assumed.model_fields if name != "drag" and name not in UNLESS_SAID),
+    "assumed": tuple(name for name in Assumed.model_fields if name not in {"drag", "engine_lag", *UNLESS_SAID}),
 }
 SAYS = ("printed", "corrected", "value", "unit", "reason")  # parts of one number, which is one field of the form
 
@@ -40,6 +41,7 @@ def choices(fleet: dict[str, Aircraft]) -> dict[str, Any]:
     return {
         "units": {si: {unit: to_si(1.0, unit) for unit in units_of(si)} for si in QUANTITIES},
         "start_from": started,
+        "roles": {"classes": CLASSES, "categories": CATEGORIES, "phases": PHASES},
     }
 
 

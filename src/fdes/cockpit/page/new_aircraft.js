@@ -3,6 +3,7 @@
 import { fetchJson, fetchStyle, html } from "./dom.js";
 import { download } from "./experiment_files.js";
 import { button, choice, refill, row } from "./fields.js";
+import { RoleFields } from "./new_aircraft_role.js";
 import { CHOICES, CONDITION, GROUPS, TEXTS, THRUST, WHY } from "./new_aircraft_fields.js";
 
 const URL_OF = "/api/new-aircraft";
@@ -22,7 +23,7 @@ export class NewAircraft {
     Object.assign(this, { fly, flown, units: offered.units, offered: offered.start_from });
     this.fields = new Map(); // by place in the file
     this.texts = {};
-    this.kept = {}; // what the form does not ask
+    this.role = new RoleFields(offered.roles);
     this.asked = 0;
     this.from = choice("Start from", []);
     this.from.select.addEventListener("change", () => this.attempt(() => this.start(this.from.select.value)));
@@ -40,7 +41,7 @@ export class NewAircraft {
       html(
         "div",
         { class: "dialog-body" },
-        html("div", { class: "draft-numbers", tabindex: 0, role: "region", "aria-label": "Numbers of the aircraft" }, this.head(), ...groups),
+        html("div", { class: "draft-numbers", tabindex: 0, role: "region", "aria-label": "Numbers of the aircraft" }, this.head(), this.role.element, ...groups),
         html(
           "section",
           { class: "draft-check", "aria-label": "Check of the aircraft" },
@@ -124,7 +125,7 @@ export class NewAircraft {
   }
 
   clear() {
-    this.kept = {};
+    this.role.fill();
     for (const [key, , value] of TEXTS) this.texts[key].value = value;
     for (const [key, , [first]] of CHOICES) this.texts[key].value = first;
     for (const each of this.fields.values()) {
@@ -162,8 +163,7 @@ export class NewAircraft {
     }
     const words = { ...content, id: `${content.id}-new`, name: `${content.name}, new`, source: content.sources[condition.source], condition_name: condition.name };
     for (const [key] of [...TEXTS, ...CHOICES]) if (words[key]) this.texts[key].value = words[key];
-    const role = condition.flying_qualities ?? content.flying_qualities;
-    this.kept = role ? { flying_qualities: role } : {};
+    this.role.fill(condition.flying_qualities ?? content.flying_qualities);
   }
 
   /** The content of the aircraft file, with gaps where nothing was entered. */
@@ -176,7 +176,7 @@ export class NewAircraft {
       sources: { [SOURCE]: said("source") },
       geometry: { source: SOURCE },
       mass: { source: SOURCE },
-      ...this.kept,
+      ...this.role.said(),
       assumed: {},
       conditions: [{ id: said("condition_name"), name: said("condition_name"), source: SOURCE, derivatives: {} }],
     };
