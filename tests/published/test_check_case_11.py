@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from fdes.aircraft import load
-from fdes.analysis.trim_over_earth import Over, local_rates, trim_over
 from fdes.errors import SpecError, TrimError
 from fdes.flight.nonlinear import six_dof_of
+from fdes.flight.trim_over_earth import Over, local_rates, trim_over
 from fdes.physics.attitude import euler_angles, rotation, seen_from
 from fdes.physics.earth import FLAT, WGS84, geodetic, place
 from fdes.physics.plant import SixDof, state_at

@@ -4,7 +4,6 @@ import csv
 import errno
 import json
 import subprocess
-import sys
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -17,10 +16,10 @@ from scipy.linalg import expm
 from typer.testing import CliRunner
 
 from fdes.cli import app
+from fdes.cli.flight_files import whole
 from fdes.errors import SpecError
 from fdes.units import DEG, FOOT, KNOT
 
-MODULE = sys.modules["fdes.cli.simulate"]  # in the package, the command goes by this name
 STEP = ["--input", "step aileron 15deg at 0s"]
 ROLL = ["A-4D", "--condition", "M0.4_SL", *STEP, "--dt", "0.01", "--duration", "6"]
 
@@ -107,7 +106,7 @@ def test_a_flight_that_departs_leaves_the_old_file_and_nothing_else(tmp_path: Pa
 @pytest.mark.parametrize("trouble", [KeyboardInterrupt(), OSError(errno.ENOSPC, "No space left on device")], ids=repr)
 def test_what_cannot_be_written_to_the_end_is_not_there_at_all(tmp_path: Path, trouble: BaseException) -> None:
     def write_half() -> None:
-        with MODULE._whole(tmp_path / "run.csv") as part:
+        with whole(tmp_path / "run.csv") as part:
             part.write_text("half")
             raise trouble
 

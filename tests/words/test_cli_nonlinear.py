@@ -1,6 +1,7 @@
 """`fdes linearize` and `fdes simulate --plant nonlinear`."""
 
 import json
+from csv import DictReader
 from pathlib import Path
 
 import pytest
@@ -57,10 +58,45 @@ def test_mistakes(words: list[str], said: str) -> None:
     assert said in " ".join(done.stderr.split())
 
 
-def test_names_of_a_scenario_are_not_silently_left_out() -> None:
-    done = run(app, ["simulate", "F-16", "--plant", "nonlinear", "--names", "s119", "--duration", "1"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--names", "s119"], "--names s119 is of flights over an Earth: give --plant nonlinear with it."),
+        (["--plant", "nonlinear", "--names", "s119"], "--names s119 are columns of a CSV file: name one with --out"),
+        (["--plant", "nonlinear", "--names", "s120"], "Did you mean 's119'?"),
+        (["--earth", "wgs84"], "The linear plant knows no Earth: give --earth and --at with --plant nonlinear."),
+        (["--plant", "nonlinear", "--earth", "mars"], "There is no Earth named 'mars'."),
+        (["--plant", "nonlinear", "--at", "latitude=3 deg"], "--at is a place on a round Earth: give --earth wgs84"),
+        (["--plant", "nonlinear", "--earth", "round", "--at", "lat=3 deg"], "Did you mean 'latitude'?"),
+        (["--plant", "nonlinear", "--earth", "round", "--at", "latitude=3"], "latitude=3 has no unit."),
+        (["--plant", "nonlinear", "--earth", "round", "--at", "here"], "--at 'here' cannot be read."),
+        (["--plant", "nonlinear", "--earth", "round", "--trim", "bank=30 deg"], "give V, h and gamma alone"),
+        (["--plant", "nonlinear", "--earth", "round", "--initial", "u=1 m/s"], "takes no initial perturbation"),
+        (["--rate", "33"], "--rate 33 rows a second cannot be taken from frames 0.01 s apart: let it be 100 divided"),
+        (["--rate", "0"], "--rate 0 rows a second cannot be taken"),
+    ],
+)
+def test_mistakes_over_an_earth(words: list[str], said: str) -> None:
+    done = run(app, ["simulate", "F-16", "--duration", "1", *words])
     assert done.exit_code == 2
-    assert "--names s119 is for a scenario, which says where on Earth it flies: give a --scenario." in done.stderr
+    assert said in " ".join(done.stderr.split())
+
+
+def test_a_flight_over_the_earth_under_the_names_of_the_check_cases(tmp_path: Path) -> None:
+    """Ten rows a second of a hundred flown, over the turning Earth."""
+    file = tmp_path / "run.csv"
+    words = ["--plant", "nonlinear", "--earth", "wgs84", "--trim", "V=565.685 ft/s h=10013 ft", "--duration", "2"]
+    place = ["--at", "latitude=36.01916667 deg longitude=-75.67444444 deg heading=45 deg"]
+    done = run(app, ["simulate", "F-16", *words, *place, "--rate", "10", "--names", "s119", "--out", str(file)])
+    assert done.exit_code == 0
+    assert f"{file}: 21 rows" in " ".join(done.stdout.split())
+    with file.open(encoding="utf-8") as rows:
+        flown = [{name: float(value) for name, value in row.items()} for row in DictReader(rows)]
+    assert flown[-1]["time"] == pytest.approx(2.0)
+    assert flown[0]["latitude_deg"] == pytest.approx(36.01916667)
+    assert flown[0]["feVelocity_ft_s_X"] == pytest.approx(400.0, abs=1e-3)
+    assert flown[-1]["altitudeMsl_ft"] == pytest.approx(10013.0, abs=0.01)
+    assert flown[-1]["eulerAngle_deg_Yaw"] == pytest.approx(45.0, abs=0.02)
 
 
 def test_spool_where_it_means_nothing() -> None:

@@ -3,6 +3,7 @@
 import csv
 import re
 import tomllib
+from math import radians
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from fdes.cli import app
 from fdes.control.laws.direct import Direct
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight import HandsOff, Setup, SteadyAir, fly
-from fdes.flight.scenario import fly_scenario, load_scenario, scenario_names, scenario_of
+from fdes.flight.scenario import SHIPPED, fly_scenario, load_scenario, scenario_names, scenario_of
 from fdes.physics.signals import Surfaces
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "scenarios.md"
@@ -62,6 +63,76 @@ def test_mistakes_in_a_file(change: dict, words: str) -> None:
         scenario_of(tomllib.loads(SHOWN) | change)
 
 
+VEHICLE = (SHIPPED / "nesc_13_1_f16_altitude.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"body": {"mass": "1 kg"}}, r"flies either a \[body\] or a \[vehicle\]: give one of the two"),
+        ({"vehicle": {}}, r'vehicle\.aircraft is missing: name one, such as "F-16"'),
+        ({"vehicle": {"aircraft": "F-17"}}, r"no aircraft named 'F-17'\. Did you mean 'F-16'\?"),
+        ({"vehicle": {"aircraft": "F-16", "rotor": 1}}, r"vehicle\.rotor is 1; it must be true or false"),
+        (
+            {"vehicle": {"aircraft": "F-16", "power": "levr"}},
+            r"no kind of vehicle\.power named 'levr'\. Did you mean 'lever'",
+        ),
+        (
+            {"vehicle": {"aircraft": "A-4D", "power": "lever"}},
+            r"The thrust of the A-4D follows its lever already: leave vehicle\.power out",
+        ),
+        ({"law": "yaw_damper zeta=0.3"}, r"must say its gain: in a scenario nothing is designed"),
+        (
+            {"law": {"name": "autopilot"}},
+            r"it must be a text such as 'yaw_damper gain=0\.5', or have name = 'f16_autopilot'",
+        ),
+        (
+            {"law": {"name": "f16_autopilot", "altitud": "1 ft"}},
+            r"law\.altitud is not a known key\. Did you mean 'altitude'",
+        ),
+        ({"law": "yaw_damper gain=0.3"}, r"commands are for a law that takes some"),
+        ({"commands": [{"altitude": "1 ft"}]}, r"commands\.at is missing: give it with a unit of the kind of s"),
+        ({"commands": 3}, r"commands are tables, each under \[\[commands\]\]"),
+        ({"inputs": "step elevator 1deg"}, r"inputs is no list of texts"),
+        ({"air": {"wind_east": "3 m/s"}}, r'initial\.theta = "trim" is for calm air'),
+        (
+            {"earth": "flat", "initial": {"height": "9 km", "v_north": "170 m/s", "theta": "trim"}},
+            r"is for a round Earth",
+        ),
+    ],
+)
+def test_mistakes_in_a_vehicle(change: dict, words: str) -> None:
+    with pytest.raises((SpecError, NoSuchPart), match=words):
+        scenario_of(tomllib.loads(VEHICLE) | change)
+
+
+def test_what_a_trim_finds_is_not_said() -> None:
+    document = tomllib.loads(VEHICLE)
+    document["initial"] |= {"phi": "3 deg"}
+    with pytest.raises(SpecError, match=r'initial\.phi is found where theta is "trim": leave it out'):
+        scenario_of(document)
+    del document["initial"]["phi"], document["initial"]["v_north"], document["initial"]["v_east"]
+    with pytest.raises(SpecError, match="a vehicle in trim must go somewhere"):
+        scenario_of(document)
+
+
+def test_a_body_has_no_surfaces() -> None:
+    with pytest.raises(SpecError, match=r"inputs is for a \[vehicle\]: a \[body\] has no surfaces"):
+        scenario_of(tomllib.loads(SHOWN) | {"inputs": ["step elevator 1deg"]})
+
+
+def test_a_vehicle_flown_as_it_is_told() -> None:
+    """Without a trim: surfaces as given, a law with its gain, inputs, and rows every so many steps."""
+    document = tomllib.loads(VEHICLE)
+    del document["law"], document["commands"]
+    document["initial"] |= {"theta": "2.64 deg", "psi": "45 deg", "elevator": "-3.23 deg", "throttle": 0.1387}
+    document |= {"duration": "3 s", "law": "yaw_damper gain=0.3", "inputs": ["doublet rudder 2deg at 1s for 1s"]}
+    flight = fly_scenario(scenario_of(document))
+    assert flight["t"].tolist() == pytest.approx([0.1 * k for k in range(31)])
+    assert abs(flight["r"][8]) < 1e-3 < abs(flight["r"][14])
+    assert flight["theta"][5] == pytest.approx(radians(2.64), abs=2e-3)
+
+
 def test_a_mass_of_nothing_is_refused() -> None:
     document = tomllib.loads(SHOWN)
     document["body"]["mass"] = "0 kg"
@@ -80,7 +151,7 @@ def test_names_of_files(tmp_path: Path) -> None:
     (tmp_path / "bad.toml").write_text("a = ", encoding="utf-8")
     with pytest.raises(SpecError, match=r"bad\.toml is not TOML"):
         load_scenario(tmp_path / "bad.toml")
-    assert len(scenario_names()) == 6
+    assert len(scenario_names()) == 8
 
 
 def test_on_the_command_line(tmp_path: Path) -> None:
@@ -119,7 +190,7 @@ def test_verify_nesc_writes_a_report(tmp_path: Path) -> None:
     out = tmp_path / "nesc.html"
     done = run(app, ["verify", "nesc", "--out", str(out)])
     assert done.exit_code == 0, done.output
-    assert "21 comparisons: 21 passed, 0 failed" in done.output
+    assert "25 comparisons: 25 passed, 0 failed" in done.output
     page = out.read_text(encoding="utf-8")
     assert "difference of altitudeMsl_ft" in page
-    assert page.count("<table>") == 6
+    assert page.count("<table>") == 8

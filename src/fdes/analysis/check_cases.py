@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from fdes.errors import SpecError
 from fdes.flight.s119 import s119_columns
 from fdes.flight.scenario import Scenario, fly_scenario, load_scenario, with_drag
+from fdes.physics.aero import SimpleBody
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.units import FOOT, SLUG
 
@@ -29,7 +30,8 @@ POINTS = files("fdes.sources") / "nesc_check_cases.csv"
 HELD = ("SIM 04", "SIM 05")
 DENSITY, TIME = "airDensity_slug_ft3", "time_s"
 EULER = ("eulerAngle_deg_Yaw", "eulerAngle_deg_Pitch", "eulerAngle_deg_Roll")
-ALTITUDE, LONGITUDE = "altitudeMsl_ft", "longitude_deg"
+ALTITUDE, LATITUDE, LONGITUDE = "altitudeMsl_ft", "latitude_deg", "longitude_deg"
+TENTH_OF_A_FOOT = 2.7e-7  # deg of latitude; of longitude somewhat less than that
 
 Column = NDArray[np.float64]
 Curves = Mapping[str, Column]
@@ -58,6 +60,16 @@ DEMANDS = {
         "Atmos_07_DroppedSphereSteadyWind", {ALTITUDE: 3e-4, LONGITUDE: 1e-9}, NOTHING
     ),
     "nesc_09_cannonball_east": Demand("Atmos_09_EastwardCannonball", {ALTITUDE: 2e-3, LONGITUDE: 1e-8}, NOTHING),
+    "nesc_11_f16_trim": Demand(
+        "Atmos_11_TrimCheckSubsonicF16",
+        {ALTITUDE: 0.02, LATITUDE: TENTH_OF_A_FOOT, LONGITUDE: TENTH_OF_A_FOOT},
+        {"SIM 04": "begins in another trim, at a pitch attitude of 2.63873 deg against 2.63893 deg"},
+    ),
+    "nesc_13_1_f16_altitude": Demand(
+        "Atmos_13p1_SubsonicAltitudeChangeF16",
+        {ALTITUDE: 0.2},
+        {"SIM 04": "keeps the references of the autopilot's file, of a gravity that does not change with place"},
+    ),
 }
 
 
@@ -98,13 +110,16 @@ def check_cases(folder: Path | None = None) -> list[Comparison]:
 def check_case(name: str, folder: Path | None = None) -> Iterator[Comparison]:
     """The comparisons of one scenario."""
     demand, scenario = DEMANDS[name], load_scenario(name)
-    flown = s119_columns(scenario.plant, fly_scenario(scenario))
+    flown = _columns_of(scenario)
     for simulation in HELD:
-        curves = _points(name, simulation) if folder is None else _curves(folder, demand, simulation)
+        end = scenario.clock.duration
+        curves = _points(name, simulation) if folder is None else _curves(folder, demand, simulation, end)
         excess = _excess_density(scenario, curves)
-        denser = with_drag(scenario, 1.0 + excess)
-        with_theirs = s119_columns(denser.plant, fly_scenario(denser)) if excess else flown
-        rows = np.rint(curves[TIME] / scenario.clock.dt).astype(int)
+        with_theirs = flown
+        if excess:
+            denser = with_drag(scenario, 1.0 + excess)
+            with_theirs = _columns_of(denser)
+        rows = np.rint(curves[TIME] / scenario.row).astype(int)
         for column, tolerance in demand.tolerances.items():
             raw, difference = (_difference(column, f[column][rows], curves[column]) for f in (flown, with_theirs))
             yield Comparison(
@@ -122,9 +137,13 @@ def check_case(name: str, folder: Path | None = None) -> Iterator[Comparison]:
             )
 
 
+def _columns_of(scenario: Scenario) -> Curves:
+    return s119_columns(scenario.plant.earth, fly_scenario(scenario), scenario.plant.warmer)
+
+
 def _excess_density(scenario: Scenario, curves: Curves) -> float:
     """How much denser the simulation's air is than the standard's at its own heights, on average; 0 without drag."""
-    if not scenario.plant.aero.CD:
+    if not isinstance(scenario.plant.aero, SimpleBody) or not scenario.plant.aero.CD:
         return 0.0
     ours = np.array([standard_atmosphere(h).rho for h in (curves[ALTITUDE] * FOOT).tolist()])
     return float(np.mean(curves[DENSITY] * SLUG / FOOT**3 / ours)) - 1.0
@@ -141,8 +160,8 @@ def _points(name: str, simulation: str) -> Curves:
         return _columns(r for r in csv.DictReader(file) if r["scenario"] == name and r["simulation"] == simulation)
 
 
-def _curves(folder: Path, demand: Demand, simulation: str) -> Curves:
-    """Every tenth of a second of a published curve."""
+def _curves(folder: Path, demand: Demand, simulation: str, end: float | None) -> Curves:
+    """Every tenth of a second of a published curve, until `end` [s]."""
     number = demand.folder.split("_")[1]
     path = folder / demand.folder / f"Atmos_{number}_{simulation.lower().replace(' ', '_')}.csv"
     if not path.is_file():
@@ -152,11 +171,12 @@ def _curves(folder: Path, demand: Demand, simulation: str) -> Curves:
         )
     with path.open(encoding="utf-8", newline="") as file:
         rows = [{TIME: r["time"], **r} for r in csv.DictReader(file)]
-    return _columns(r for r in rows if math.isclose(float(r[TIME]), round(float(r[TIME]), 1), abs_tol=1e-5))
+    flown = [r for r in rows if end is None or float(r[TIME]) < end + 1e-5]
+    return _columns(r for r in flown if math.isclose(float(r[TIME]), round(float(r[TIME]), 1), abs_tol=1e-5))
 
 
 def _columns(rows: Iterable[Mapping[str, str]]) -> Curves:
     """Numbers by column; a column that is not given for the case is left out."""
     kept = list(rows)
-    wanted = (TIME, ALTITUDE, LONGITUDE, *EULER, DENSITY)
+    wanted = (TIME, ALTITUDE, LATITUDE, LONGITUDE, *EULER, DENSITY)
     return {name: np.array([float(r[name]) for r in kept]) for name in wanted if all(r.get(name) for r in kept)}

@@ -18,6 +18,8 @@ from fdes.physics.small_perturbation import Limits, PerturbationState
 
 STATES = ("u", "w", "q", "theta", "beta", "p", "r", "phi")
 INPUTS = ("elevator", "throttle", "aileron", "rudder")
+_KNOWN = {c.name: c.unit for c in (*channels(PerturbationState), *channels(Surfaces))}
+UNITS = {name: _KNOWN[name] for name in (*STATES, *INPUTS)}
 NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
 AS_THEY_ARE = ("p", "q", "r", "phi")  # states that the plant shows as they are: most of what laws measure
 STEP = 2.0**-7  # of differences, in SI: a power of two, so that what is linear is differentiated without rounding
@@ -84,5 +86,4 @@ def joined(equations: Matrices, point: dict[str, Any]) -> LinearModel:
     A, B = np.zeros((8, 8)), np.zeros((8, 4))
     A[:4, :4], A[4:, 4:] = equations.A_lon, equations.A_lat
     B[:4, :2], B[4:, 2:] = equations.B_lon, equations.B_lat
-    unit = {c.name: c.unit for c in (*channels(PerturbationState), *channels(Surfaces))}
-    return LinearModel(A, B, STATES, INPUTS, {name: unit[name] for name in (*STATES, *INPUTS)}, point)
+    return LinearModel(A, B, STATES, INPUTS, dict(UNITS), point)

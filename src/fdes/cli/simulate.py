@@ -1,14 +1,11 @@
 """`fdes simulate`: the response to test inputs, as a table of numbers."""
 
-import os
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from fdes.cli.flight_files import STDOUT, file_wanted, frames_per_row, must_be_written_as, write
 from fdes.cli.law import show_law
 from fdes.cli.options import (
     FLAG,
@@ -27,7 +24,7 @@ from fdes.cli.options import (
     form_of_equations,
 )
 from fdes.cli.output import note, number, screen, table, working
-from fdes.cli.scenario import fly_and_write, fly_nonlinear, note_assumptions
+from fdes.cli.scenario import fly_and_write, fly_nonlinear, loading_of, note_assumptions, place_of
 from fdes.errors import NoSuchPart, SpecError
 from fdes.units import DEG, UNIT_SYSTEMS, parse
 
@@ -35,7 +32,6 @@ if TYPE_CHECKING:
     from fdes.aircraft import FlightCondition
     from fdes.flight import Clock, Recording
 
-STDOUT = "-"
 MOST_FRAMES = 500_000
 HONEST_TO = 15.0 * DEG  # from the reference condition: Mansor and Perumal, section 7
 SUMMARIZED = ("V", "alpha", "beta", "gamma", "phi", "theta", "psi", "p", "q", "r", "n_y", "n_z", "h")
@@ -106,10 +102,20 @@ def simulate(
             metavar="TEXT", help="Where the nonlinear flight begins, such as 'V=170 kt h=5000 ft turn=3 deg/s'."
         ),
     ] = None,
+    earth: Annotated[
+        str | None, typer.Option(metavar="flat|round|wgs84", help="Below the nonlinear flight; wgs84 turns.")
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option(metavar="TEXT", help="Where there: 'latitude=36 deg longitude=-75 deg heading=45 deg'."),
+    ] = None,
     across: Across = None,
     spool: Spool = False,
+    rate: Annotated[
+        float | None, typer.Option(metavar="HZ", help="Rows a second in what is written; else every one that is flown.")
+    ] = None,
     names: Annotated[
-        str, typer.Option(metavar="fdes|s119", help="Of a scenario's columns: ours, or those of NASA's check cases.")
+        str, typer.Option(metavar="fdes|s119", help="Of the columns of a nonlinear flight: ours, or NASA's.")
     ] = "fdes",
 ) -> None:
     """Fly test inputs from trim, hands off, and write the response, the unit of every column with it."""
@@ -119,28 +125,33 @@ def simulate(
     if units not in UNIT_SYSTEMS:
         raise NoSuchPart("system of units", units, UNIT_SYSTEMS)
     if scenario is not None:
-        if any((aircraft, condition, changes, inputs, initial, law, actuators, height, plot, trim, across, spool)):
+        of_a_flight = (condition, changes, inputs, initial, law, actuators, height, trim, across, spool, earth, at)
+        if any((aircraft, plot, rate, *of_a_flight)):
             raise SpecError("A scenario says all of its flight: give with --scenario only --out, --names and --units.")
         fly_and_write(scenario, out, names, units)
         return
-    aircraft = _named(aircraft, names)
-    target, picture = _target(out), target_of(plot)
-    if target is not None and target.suffix.lower() != ".csv" and units != "si":
-        raise SpecError(f"{target.suffix} files carry their units and are written in SI. Use .csv with --units.")
+    if aircraft is None:
+        raise SpecError("There is nothing to fly: name an aircraft, as in fdes simulate A-4D, or give a --scenario.")
+    target, picture = file_wanted(out, units), target_of(plot)
+    must_be_written_as(names, plant, target, out)
+    condition = loading_of(aircraft, condition, plant, trim)
     ready = chosen(aircraft, condition, variant, changes, across, spool=spool)
-    clock = _clock(dt, substeps, duration)
+    clock, every = _clock(dt, substeps, duration), frames_per_row(rate, dt)
     closed = {} if law is None else _law(law, ready, form, dt, actuators=actuators, quiet=out == STDOUT)
     given = {"integrator": integrator, "initial": initial or (), "limits": limits, **closed}
     start = None if height is None else parse(height, "m")
     if plant == "linear":
-        _no_trim(trim)
-        _not_across(across)
-        _no_spool(spool)
+        _must_be_nonlinear(trim, earth or at, across, spool=spool)
         response = fly_it(ready, inputs or (), clock=clock, form=form, height=start, actuators=actuators, **given)
     else:
         _no_actuators(actuators)
-        response = fly_nonlinear(plant, ready, inputs or (), clock, trim, start, given)
-    _write(response, out, target, units)
+        place = place_of(earth, at)
+        with working(f"Flying {duration:g} s"):
+            response = fly_nonlinear(plant, ready, inputs or (), clock, trim, start, given, place)
+    if out is None:
+        _summarize(response, units)
+    else:
+        write(replace(response, data=response.data[::every]), out, target, units, names)
     if picture is not None:
         from fdes.analysis.plots import responses
 
@@ -157,32 +168,16 @@ def simulate(
     _note_excursion(response)
 
 
-def _write(response: "Recording", out: str | None, target: Path | None, units: str) -> None:
-    """To stdout, to a file, or as a summary to the screen."""
-    if out == STDOUT:
-        response.to_csv(sys.stdout, units)
-    elif target is not None:
-        with _whole(target) as part:
-            SAVE[target.suffix.lower()](response, part, units)
-        rows, columns = response.data.shape
-        screen().print(f"{out}: {rows} rows, {columns} columns", soft_wrap=True)
-    else:
-        _summarize(response, units)
-
-
-def _no_trim(trim: str | None) -> None:
-    if trim is not None:
-        raise SpecError("The linear plant flies about its flight condition: give --trim with --plant nonlinear.")
-
-
-def _not_across(across: str | None) -> None:
-    if across is not None:
-        raise SpecError("The linear plant is that of its flight condition: give --across with --plant nonlinear.")
-
-
-def _no_spool(spool: bool) -> None:
-    if spool:
-        raise SpecError("The thrust of the linear plant follows at once: give --spool with --plant nonlinear.")
+def _must_be_nonlinear(trim: str | None, earth: str | None, across: str | None, *, spool: bool) -> None:
+    """Raises SpecError for what the linear plant cannot do."""
+    for given, why in (
+        (trim, "The linear plant flies about its flight condition: give --trim with --plant nonlinear."),
+        (earth, "The linear plant knows no Earth: give --earth and --at with --plant nonlinear."),
+        (across, "The linear plant is that of its flight condition: give --across with --plant nonlinear."),
+        (spool, "The thrust of the linear plant follows at once: give --spool with --plant nonlinear."),
+    ):
+        if given:
+            raise SpecError(why)
 
 
 def _no_actuators(actuators: bool) -> None:
@@ -220,47 +215,6 @@ def _clock(dt: float, substeps: int, duration: float) -> "Clock":
             "Take a larger --dt, with --substeps to keep the integrator's steps small."
         )
     return clock
-
-
-def _target(out: str | None) -> Path | None:
-    """The file to write, if one is wanted. Raises SpecError for what cannot be written, before anything is flown."""
-    if out is None or out == STDOUT:
-        return None
-    path = Path(os.path.realpath(out))  # a link stays a link, what it leads to is written
-    if path.suffix.lower() not in SAVE:
-        raise SpecError(f"{out} cannot be written: let its name end in {', '.join(SAVE)}.")
-    if path.is_dir():
-        raise SpecError(f"{out} cannot be written: it is a folder.")
-    if not path.parent.is_dir():
-        raise SpecError(f"{out} cannot be written: there is no folder {path.parent}.")
-    if not os.access(path.parent, os.W_OK):
-        raise SpecError(f"{out} cannot be written: no permission to write in {path.parent}.")
-    return path
-
-
-@contextmanager
-def _whole(path: Path) -> Iterator[Path]:
-    """A file that appears at `path` when all of it is written, and not at all otherwise. Raises SpecError."""
-    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
-    try:
-        yield part
-        part.replace(path)
-    except OSError as trouble:
-        raise SpecError(f"{path} cannot be written: {trouble.strerror or trouble}.") from trouble
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def _save_csv(response: "Recording", path: Path, units: str) -> None:
-    with path.open("w", encoding="utf-8", newline="\n") as file:
-        response.to_csv(file, units)
-
-
-SAVE: dict[str, Callable[["Recording", Path, str], None]] = {
-    ".csv": _save_csv,
-    ".nc": lambda response, path, _: response.to_netcdf(path),
-    ".mat": lambda response, path, _: response.to_mat(path),
-}
 
 
 def _summarize(response: "Recording", units: str) -> None:

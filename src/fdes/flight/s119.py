@@ -9,22 +9,25 @@ from numpy.typing import NDArray
 from fdes.flight.recording import Recording
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.attitude import rotation, turned, turned_back
-from fdes.physics.earth import geodetic, place
-from fdes.physics.plant import SixDof, State
-from fdes.units import DEG, FOOT, KNOT, POUND_FORCE, SLUG
+from fdes.physics.earth import Earth, geodetic, place
+from fdes.physics.plant import State
+from fdes.units import DEG, FOOT, KNOT, POUND_FORCE, SLUG, Kelvin
 
 Column = NDArray[np.float64]
 
 
-def s119_columns(plant: SixDof, flight: Recording) -> dict[str, Column]:
-    """The columns by name, in US units; over a flat Earth without latitude and longitude."""
+def s119_columns(earth: Earth, flight: Recording, warmer: Kelvin = 0.0) -> dict[str, Column]:
+    """The columns by name, in US units; over a flat Earth without latitude and longitude.
+
+    warmer: the day than the standard.
+    """
     states = [State(*row) for row in np.column_stack([flight[f"state_{name}"] for name in State._fields]).tolist()]
-    velocity = np.array([_velocity(plant, x) for x in states]) / FOOT
+    velocity = np.array([_velocity(earth, x) for x in states]) / FOOT
     columns = {"time": flight["t"], "altitudeMsl_ft": flight["h"] / FOOT}
-    if not plant.earth.g:
-        found = np.array([geodetic(plant.earth, x.x, x.y, x.z)[:2] for x in states]) / DEG
+    if not earth.g:
+        found = np.array([geodetic(earth, x.x, x.y, x.z)[:2] for x in states]) / DEG
         columns |= {"longitude_deg": found[:, 1], "latitude_deg": found[:, 0]}
-    air = np.array([standard_atmosphere(h, plant.warmer) for h in flight["h"].tolist()])
+    air = np.array([standard_atmosphere(h, warmer) for h in flight["h"].tolist()])
     return columns | {
         "feVelocity_ft_s_X": velocity[:, 0],
         "feVelocity_ft_s_Y": velocity[:, 1],
@@ -45,7 +48,7 @@ def s119_columns(plant: SixDof, flight: Recording) -> dict[str, Column]:
     }
 
 
-def _velocity(plant: SixDof, x: State) -> tuple[float, float, float]:
+def _velocity(earth: Earth, x: State) -> tuple[float, float, float]:
     """Over the Earth, along local north, east, down [m/s]."""
     over = turned(rotation(x.e0, x.e1, x.e2, x.e3), x.u, x.v, x.w)
-    return turned_back(place(plant.earth, x.x, x.y, x.z).local, *over)
+    return turned_back(place(earth, x.x, x.y, x.z).local, *over)

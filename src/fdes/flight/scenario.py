@@ -1,4 +1,4 @@
-"""A whole flight as one file: the body that flies, over which Earth, from where, through which wind, for how long.
+"""A whole flight as one file: what flies, over which Earth, from where, through which wind, for how long.
 
 A scenario is TOML; every quantity is a text with its unit. docs/reference/scenarios.md has the format. The files in the
 folder `scenarios` are NASA's check cases; your own may lie anywhere.
@@ -8,35 +8,46 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib.resources import files
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from fdes import __version__
-from fdes.control.laws.direct import Direct
-from fdes.errors import NoSuchPart, SpecError, nearest
+from fdes.errors import NoSuchPart, SpecError
+from fdes.flight.excitation import GustyAir
 from fdes.flight.pilot import HandsOff
 from fdes.flight.recorder import columns_of, row_of
 from fdes.flight.recording import Recording, frames_to_recording
-from fdes.flight.simulation import Clock, Setup, SteadyAir, fly
+from fdes.flight.scenario_text import REQUIRED, Known, only_known, quantities, table_of
+from fdes.flight.scenario_vehicle import (
+    HANDS_OFF,
+    HELD,
+    Flown,
+    airframe,
+    flown_with,
+    held_at_start,
+    in_trim,
+    is_trimmed,
+)
+from fdes.flight.simulation import Clock, Setup, fly
+from fdes.flight.trim_over_earth import Over
 from fdes.physics.aero import SimpleBody, simple_body_loads
 from fdes.physics.earth import EARTHS
 from fdes.physics.plant import SixDof, State, state_at
 from fdes.physics.rigid_body import Inertia
-from fdes.physics.signals import Surfaces
+from fdes.physics.signals import Air, Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.physics.wind import Wind
 from fdes.shelf import shelf
-from fdes.units import parse
 
 FORMAT = 1
 SHIPPED = files("fdes.flight") / "scenarios"
-REQUIRED = None
-
 # What each table may say: the unit it must have, and what holds where it is not said.
 TOP = {"format", "title", "source", "earth", "integrator", "rates_from", "duration", "step", "row"}
-TABLES = {"body", "initial", "air"}
-TIMES = {"duration": ("s", REQUIRED), "step": ("s", 0.01), "row": ("s", 0.1)}
-INERTIA = {
+TABLES = {"body", "vehicle", "initial", "air", "law"}
+LISTS = {"inputs", "commands"}
+TIMES: Known = {"duration": ("s", REQUIRED), "step": ("s", 0.01), "row": ("s", 0.1)}
+INERTIA: Known = {
     "mass": ("kg", REQUIRED),
     "Ix": ("kg m^2", REQUIRED),
     "Iy": ("kg m^2", REQUIRED),
@@ -45,7 +56,7 @@ INERTIA = {
     "Ixy": ("kg m^2", 0.0),
     "Iyz": ("kg m^2", 0.0),
 }
-AERO = {
+AERO: Known = {
     "S": ("m^2", 0.0),
     "b": ("m", 1.0),
     "c": ("m", 1.0),
@@ -54,12 +65,12 @@ AERO = {
     "Cm_q": ("1", 0.0),
     "Cn_r": ("1", 0.0),
 }
-ROUND_PLACE = {"latitude": ("rad", REQUIRED), "longitude": ("rad", REQUIRED), "height": ("m", REQUIRED)}
-FLAT_PLACE = {"north": ("m", 0.0), "east": ("m", 0.0), "height": ("m", REQUIRED)}
-MOTION = {
-    "v_north": ("m/s", 0.0),
-    "v_east": ("m/s", 0.0),
-    "v_down": ("m/s", 0.0),
+ROUND_PLACE: Known = {"latitude": ("rad", REQUIRED), "longitude": ("rad", REQUIRED), "height": ("m", REQUIRED)}
+FLAT_PLACE: Known = {"north": ("m", 0.0), "east": ("m", 0.0), "height": ("m", REQUIRED)}
+VELOCITY: Known = {"v_north": ("m/s", 0.0), "v_east": ("m/s", 0.0), "v_down": ("m/s", 0.0)}
+FOUND = {"phi", "psi", "p", "q", "r"}  # by a trim
+MOTION: Known = {
+    **VELOCITY,
     "phi": ("rad", 0.0),
     "theta": ("rad", 0.0),
     "psi": ("rad", 0.0),
@@ -67,7 +78,7 @@ MOTION = {
     "q": ("rad/s", 0.0),
     "r": ("rad/s", 0.0),
 }
-AIR = {
+AIR: Known = {
     "wind_north": ("m/s", 0.0),
     "wind_east": ("m/s", 0.0),
     "wind_down": ("m/s", 0.0),
@@ -75,7 +86,6 @@ AIR = {
     "shear_east": ("1/s", 0.0),
     "warmer": ("K", 0.0),
 }
-Known = Mapping[str, tuple[str, float | None]]
 
 
 @dataclass(frozen=True)
@@ -87,6 +97,12 @@ class Scenario:
     earth: str
     plant: SixDof
     clock: Clock
+    flown: Flown = HANDS_OFF
+
+    @property
+    def row(self) -> float:
+        """From row to row of its recording [s]."""
+        return self.clock.dt * self.flown.every
 
 
 def scenario_names() -> list[str]:
@@ -117,25 +133,70 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
 
 
 def scenario_of(document: Mapping[str, Any]) -> Scenario:
-    """A scenario from the content of a file. Raises SpecError, NoSuchPart."""
-    _only_known(document, TOP | TABLES, "")
+    """A scenario from the content of a file. Raises SpecError, NoSuchPart, TrimError."""
+    only_known(document, TOP | TABLES | LISTS, "")
     if document.get("format") != FORMAT:
         raise SpecError(f"format is {document.get('format')!r}; this FDES reads format = {FORMAT}.")
     name = document.get("earth", "wgs84")
     if name not in EARTHS:
         raise NoSuchPart("Earth", str(name), EARTHS)
-    earth = EARTHS[name]
-    body, initial = _table(document, "body"), _table(document, "initial")
+    earth, is_vehicle = EARTHS[name], "vehicle" in document
+    if is_vehicle == ("body" in document):
+        raise SpecError("A scenario flies either a [body] or a [vehicle]: give one of the two.")
+    integrator = str(document.get("integrator", "rk4"))
+    bare = airframe(document, integrator) if is_vehicle else _simple_body(document, integrator)
+    only_known(table_of(document, "air"), AIR, "air.")
+    *wind, warmer = quantities(table_of(document, "air"), AIR, "air.").values()
+    plant = _under_way(bare._replace(earth=earth, wind=Wind(*wind), warmer=warmer), document, is_vehicle=is_vehicle)
+    times = quantities({k: v for k, v in document.items() if k in TIMES}, TIMES, "")
+    every = max(1, round(times["row"] / times["step"]))
+    said = (str(document.get("title", "")), str(document.get("source", "")), name, plant)
+    if is_vehicle:  # its law runs once a step, and not only once a row
+        clock = Clock(times["row"] / every, 1, times["duration"])
+        return Scenario(*said, clock, flown_with(document, plant, every))
+    for key in ("law", "inputs", "commands"):
+        if key in document:
+            raise SpecError(f"{key} is for a [vehicle]: a [body] has no surfaces.")
+    return Scenario(*said, Clock(times["row"], every, times["duration"]))
+
+
+def _simple_body(document: Mapping[str, Any], integrator: str) -> SixDof:
+    """A body with drag and damping, not yet anywhere."""
+    body = table_of(document, "body")
+    only_known(body, {**INERTIA, **AERO}, "body.")
+    inertia = Inertia(*quantities(body, INERTIA, "body.").values())
+    _must_exist(inertia)
+    return SixDof(
+        inertia=inertia,
+        aero=SimpleBody(**quantities(body, AERO, "body.")),
+        aerodynamics=simple_body_loads,
+        earth=EARTHS["flat"],
+        initial=State(*[0.0] * len(State._fields)),
+        limits=Limits(Surfaces(), Surfaces()),
+        integrator=shelf("integrators").get(integrator),
+    )
+
+
+def _under_way(plant: SixDof, document: Mapping[str, Any], *, is_vehicle: bool) -> SixDof:
+    """The plant where and as its flight begins: as the file says, or in trim."""
+    earth, initial = plant.earth, table_of(document, "initial")
     where = FLAT_PLACE if earth.g else ROUND_PLACE
-    for table, known, called in ((body, INERTIA | AERO, "body."), (initial, where | MOTION, "initial.")):
-        _only_known(table, known, called)
+    only_known(initial, {**where, **MOTION, **(HELD if is_vehicle else {})}, "initial.")
     rates_from = document.get("rates_from", "earth")
     if rates_from not in {"earth", "inertial"}:
         raise SpecError(
             f'rates_from is {rates_from!r}; it must be "earth" or "inertial": what p, q, r are relative to.'
         )
-    first, second, third = _quantities(initial, where, "initial.").values()
-    north, east, down, phi, theta, psi, p, q, r = _quantities(initial, MOTION, "initial.").values()
+    first, second, third = quantities(initial, where, "initial.").values()
+    if is_vehicle and is_trimmed(initial):
+        for key in (*FOUND, *HELD):
+            if key in initial:
+                raise SpecError(f'initial.{key} is found where theta is "trim": leave it out.')
+        if plant.wind != Wind():
+            raise SpecError('initial.theta = "trim" is for calm air: leave the wind out, or say theta itself.')
+        north, east, down = quantities(initial, VELOCITY, "initial.").values()
+        return in_trim(plant, earth, Over(first, second, third, north, east, down))
+    north, east, down, phi, theta, psi, p, q, r = quantities(initial, MOTION, "initial.").values()
     start = state_at(
         earth,
         (first, second, third),
@@ -144,40 +205,34 @@ def scenario_of(document: Mapping[str, Any]) -> Scenario:
         (p, q, r),
         inertial=rates_from == "inertial",
     )
-    _only_known(_table(document, "air"), AIR, "air.")
-    *wind, warmer = _quantities(_table(document, "air"), AIR, "air.").values()
-    inertia = Inertia(*_quantities(body, INERTIA, "body.").values())
-    _must_exist(inertia)
-    times = _quantities({k: v for k, v in document.items() if k in TIMES}, TIMES, "")
-    plant = SixDof(
-        inertia=inertia,
-        aero=SimpleBody(**_quantities(body, AERO, "body.")),
-        aerodynamics=simple_body_loads,
-        earth=earth,
-        initial=start,
-        limits=Limits(Surfaces(), Surfaces()),
-        integrator=shelf("integrators").get(str(document.get("integrator", "rk4"))),
-        wind=Wind(*wind),
-        warmer=warmer,
-    )
-    substeps = max(1, round(times["row"] / times["step"]))
-    clock = Clock(times["row"], substeps, times["duration"])
-    return Scenario(str(document.get("title", "")), str(document.get("source", "")), name, plant, clock)
+    if not is_vehicle:
+        return plant._replace(initial=start)
+    held = held_at_start(plant, initial)
+    return held._replace(initial=start._replace(power=held.settled(held.engine, held.rest.throttle)))
 
 
 def fly_scenario(scenario: Scenario) -> Recording:
     """Its recording. Raises Departed."""
-    setup = Setup(scenario.plant, Direct(Surfaces()))
-    frames = fly(scenario.plant.start(), setup, HandsOff(0.0), SteadyAir(), scenario.clock)
+    plant, clock, flown = scenario.plant, scenario.clock, scenario.flown
+    weather = GustyAir(flown.excitation.gusts, plant.observe(plant.start(), plant.trim(), Air()).V)
+    frames = fly(
+        plant.start(),
+        Setup(plant, flown.law),
+        HandsOff(flown.throttle),
+        weather,
+        clock,
+        flown.excitation,
+        flown.edits(),
+    )
     header = {
         "fdes": __version__,
         "engine": "plain",
         "scenario": scenario.title,
         "earth": scenario.earth,
-        "dt": scenario.clock.dt,
-        "substeps": scenario.clock.substeps,
+        "dt": scenario.row,
+        "substeps": clock.substeps * flown.every,
     }
-    return frames_to_recording(header, columns_of(State), map(row_of, frames))
+    return frames_to_recording(header, columns_of(State), map(row_of, islice(frames, 0, None, flown.every)))
 
 
 def with_drag(scenario: Scenario, factor: float) -> Scenario:
@@ -197,43 +252,3 @@ def _must_exist(body: Inertia) -> None:
             f"No body has such moments of inertia: {largest:g} kg m^2 is more than the sum of the other two. Check Ix, "
             "Iy, Iz and their units."
         )
-
-
-def _table(document: Mapping[str, Any], name: str) -> Mapping[str, Any]:
-    found = document.get(name, {})
-    if not isinstance(found, dict):
-        raise SpecError(f"{name} is {found!r}; it must be a table, under [{name}].")
-    return found
-
-
-def _only_known(table: Mapping[str, Any], known: Any, where: str) -> None:
-    for key in table:
-        if key not in known:
-            near = nearest(key, known)
-            hint = f"Did you mean {near!r}?" if near else f"Known here: {', '.join(sorted(known))}."
-            raise SpecError(f"{where}{key} is not a known key. {hint}")
-
-
-def _quantities(table: Mapping[str, Any], known: Known, where: str) -> dict[str, float]:
-    """Each known quantity in SI, in the order of `known`; those of other tables are passed over."""
-    found = {}
-    for name, (unit, default) in known.items():
-        said = table.get(name, default)
-        if said is REQUIRED:
-            raise SpecError(f"{where}{name} is missing: give it with a unit of the kind of {unit}.")
-        if isinstance(said, str):
-            found[name] = _read(said, unit, where + name)
-        elif isinstance(said, bool) or not isinstance(said, int | float):
-            raise SpecError(f"{where}{name} is {said!r}; it must be a number with a unit, in quotes.")
-        elif unit != "1" and name in table:
-            raise SpecError(f'{where}{name} is {said:g} without a unit. Write it like "{said:g} {unit}".')
-        else:
-            found[name] = float(said)
-    return found
-
-
-def _read(text: str, unit: str, name: str) -> float:
-    try:
-        return parse(text, unit)
-    except SpecError as mistake:
-        raise SpecError(f"{name}: {mistake}") from mistake

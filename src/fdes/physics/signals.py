@@ -7,7 +7,6 @@ Signs are written once, in docs/symbols.md: body axes forward-right-down, positi
 (pitches down), positive aileron rolls right, positive rudder trailing edge left (yaws left).
 """
 
-from functools import cache
 from typing import Annotated, NamedTuple, get_type_hints
 
 from fdes.units import Meter, MeterPerSecond, Number, Pascal, Radian, RadianPerSecond, RadianPerSecond2
@@ -78,7 +77,6 @@ class Channel(NamedTuple):
     long_name: str
 
 
-@cache  # reading annotations takes longer than most of what asks for them
 def channels(record: type, prefix: str = "") -> tuple[Channel, ...]:
     """The fields of a named tuple whose annotations carry a unit, and perhaps a long name, as channels."""
     found = []

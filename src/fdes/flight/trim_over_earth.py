@@ -12,14 +12,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fdes.analysis.trim import CALM, ENOUGH, FREE, ITERATIONS, TINY
 from fdes.elementary import atan2, sin, sqrt, tan
 from fdes.errors import SpecError, TrimError
 from fdes.physics.attitude import Three, quaternion, rotation, turned_back
 from fdes.physics.earth import Earth
 from fdes.physics.plant import SixDof, State, derivative, state_at
-from fdes.physics.signals import Surfaces
+from fdes.physics.signals import Air, Surfaces
+from fdes.physics.small_perturbation import Limits
 from fdes.units import DEG, Meter, MeterPerSecond, Radian
+
+FREE = Limits(Surfaces(*[-1e9] * 4), Surfaces(*[1e9] * 4))
+CALM = Air()
+TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
+ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
+ITERATIONS = 25
 
 
 class Over(NamedTuple):
