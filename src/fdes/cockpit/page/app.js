@@ -4,7 +4,6 @@ import { drawSheet } from "./aircraft_sheet.js";
 import { Cockpit } from "./cockpit.js";
 import { ControlChooser } from "./control_chooser.js";
 import { byId } from "./dom.js";
-import { InputsPanel } from "./inputs.js";
 import { InstrumentPanel } from "./instrument_panel.js";
 import { Levels } from "./levels.js";
 import { listenToKeys } from "./keys.js";
@@ -56,17 +55,22 @@ new ControlChooser(byId("control"), stick, (sentence) => topBar.say(sentence));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
-const inputs = new InputsPanel(byId("panel-inputs"), command, link);
 const replayBar = new ReplayBar(byId("replay"), command);
 let picker = null; // fetched when it is opened
 const chooser = new SignalChooser(byId("chooser"), chart);
-let laboratory = null; // what few open on their first visit is fetched when it is opened
+let [inputs, laboratory] = [null, null]; // what few open on their first visit is fetched when it is opened
 const tabs = new Tabs(byId("tabs"), (tab) => {
   if (tab === "recordings") recordings.refresh();
   if (tab === "aircraft" && link.latest.has("aircraft")) drawSheet(byId("panel-aircraft"), link.latest.get("aircraft"));
+  if (tab === "inputs") inputs ??= openInputs();
   if (tab === "stability") laboratory ??= openLaboratory();
   if (tab === "control") openFlightControl();
 });
+
+async function openInputs() {
+  const { InputsPanel } = await import("./inputs.js");
+  return new InputsPanel(byId("panel-inputs"), command, link);
+}
 
 async function openLaboratory() {
   const { VariableStability } = await import("./variable_stability.js");
@@ -287,7 +291,6 @@ link.on("aircraft", (aircraft) => {
   indicator.setTrim(aircraft.trim_throttle);
   topBar.showAircraft(aircraft);
   picker?.setCurrent(aircraft);
-  inputs.show(aircraft);
   modes.showStatic(aircraft.static, aircraft.plant);
   if (tabs.shown === "aircraft") drawSheet(byId("panel-aircraft"), aircraft);
 });

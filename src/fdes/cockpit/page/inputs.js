@@ -60,6 +60,7 @@ export class InputsPanel {
       panel.append(html("div", { role: "tabpanel", id, "aria-labelledby": `tab-${id}` }, children));
     }
     this.tabs = new Tabs(list);
+    link.on("aircraft", (aircraft) => this.show(aircraft));
     link.on("status", ({ held }) => this.hold.show(held));
     link.on("hello", () => this.input.changed());
   }
