@@ -81,7 +81,7 @@ VEHICLE = (SHIPPED / "nesc_13_1_f16_altitude.toml").read_text("utf-8")
             {"vehicle": {"aircraft": "A-4D", "power": "lever"}},
             r"The thrust of the A-4D follows its lever already: leave vehicle\.power out",
         ),
-        ({"law": "yaw_damper zeta=0.3"}, r"must say its gain: in a scenario nothing is designed"),
+        ({"law": "yaw_damper zeta=0.3"}, r"gain of yaw_damper is not said, and in a scenario nothing is designed"),
         (
             {"law": {"name": "autopilot"}},
             r"it must be a text such as 'yaw_damper gain=0\.5', or have name = 'f16_autopilot'",

@@ -102,7 +102,11 @@ def loading_of(aircraft: str, condition: str | None, plant: str, trim: str | Non
     from fdes.aircraft import load
     from fdes.analysis.nearest_condition import nearest_condition
 
-    return nearest_condition(load(aircraft), trim)
+    known = load(aircraft)
+    meant = nearest_condition(known, trim)
+    if meant is not None and meant != known.conditions[0].id:
+        note(f"Flown as {meant}, the condition nearest in height to the trim. Name another with --condition.")
+    return meant
 
 
 def place_of(earth: str | None, at: str | None) -> "Place | None":

@@ -149,6 +149,9 @@ def scenario_of(document: Mapping[str, Any]) -> Scenario:
     *wind, warmer = quantities(table_of(document, "air"), AIR, "air.").values()
     plant = _under_way(bare._replace(earth=earth, wind=Wind(*wind), warmer=warmer), document, is_vehicle=is_vehicle)
     times = quantities({k: v for k, v in document.items() if k in TIMES}, TIMES, "")
+    for name in ("step", "row"):
+        if times[name] <= 0.0:
+            raise SpecError(f'{name} is {times[name]:g} s; it must be more than zero, such as "0.01 s".')
     every = max(1, round(times["row"] / times["step"]))
     said = (str(document.get("title", "")), str(document.get("source", "")), name, plant)
     if is_vehicle:  # its law runs once a step, and not only once a row

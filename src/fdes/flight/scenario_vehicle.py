@@ -4,7 +4,7 @@ docs/reference/scenarios.md has the format.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import MISSING, dataclass, field, fields, replace
 from math import hypot
 from typing import Any
 
@@ -12,7 +12,7 @@ from fdes.aircraft import load
 from fdes.control import Law
 from fdes.control.f16_autopilot import F16Autopilot
 from fdes.control.laws.direct import Direct
-from fdes.control.spoken import loops
+from fdes.control.spoken import Loop, loops, units_of
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.excitation import Excitation
 from fdes.flight.nonlinear import six_dof_of
@@ -85,7 +85,7 @@ def airframe(document: Mapping[str, Any], integrator: str) -> SixDof:
     only_known(said, VEHICLE, "vehicle.")
     if "aircraft" not in said:
         raise SpecError('vehicle.aircraft is missing: name one, such as "F-16", or a file.')
-    ready = load(str(said["aircraft"])).at(said.get("condition"), str(said.get("variant", "corrected")))
+    ready = load(str(said["aircraft"])).at(_text(said, "condition"), str(said.get("variant", "corrected")))
     plant = six_dof_of(ready, integrator)
     if not _switch(said, "rotor"):
         plant = plant._replace(inertia=plant.inertia._replace(Hx=0.0))
@@ -143,18 +143,40 @@ def _law(said: Any, plant: SixDof, y: Outputs) -> Law:
     if isinstance(said, str):
         law: Law = Direct(Surfaces())
         for loop in loops(said):
-            if loop.wishes or "gain" not in loop.settings:
-                raise SpecError(f"law {said!r} must say its gain: in a scenario nothing is designed.")
-            law = loop.part(inner=law, **loop.settings)
+            law = _around(law, loop, said)
         return law
     if not isinstance(said, dict) or said.get("name") != AUTOPILOT:
         raise SpecError(
             f"law is {said!r}; it must be a text such as 'yaw_damper gain=0.5', or have name = {AUTOPILOT!r}."
         )
     only_known(said, {"name"} | GOALS.keys() | DESIGN.keys(), "law.")
+    if not isinstance(plant.engine, Turbofan):
+        raise SpecError("The gains of f16_autopilot are those of the F-16: fly that, or another law.")
     here = {"altitude": y.h, "course": y.chi, "airspeed": y.eas, "alpha": y.alpha, "theta": y.theta}
     known = {name: (unit, here[name]) for name, (unit, _) in {**GOALS, **DESIGN}.items()}
     return F16Autopilot(**quantities(said, known, "law."), elevator=plant.rest.elevator, throttle=plant.rest.throttle)
+
+
+def _around(inner: Law, loop: Loop, said: str) -> Law:
+    """The law of one loop around another, all of its settings said. Raises SpecError."""
+    needed = [f.name for f in fields(loop.part) if f.default is MISSING and f.name in units_of(loop.part)]
+    unsaid = [name for name in needed if name not in loop.settings]
+    if loop.wishes or unsaid:
+        missing = unsaid[0] if unsaid else next(iter(loop.wishes))
+        why = "is not said" if unsaid else "is a wish"
+        raise SpecError(
+            f"law {said!r}: {missing} of {loop.name} {why}, and in a scenario nothing is designed. Say its gains."
+        )
+    taken = {"inner": inner} if "inner" in (f.name for f in fields(loop.part)) else {"full_stick": Surfaces()}
+    law: Law = loop.part(**taken, **loop.settings)
+    return law
+
+
+def _text(said: Mapping[str, Any], name: str) -> str | None:
+    value = said.get(name)
+    if value is not None and not isinstance(value, str):
+        raise SpecError(f"vehicle.{name} is {value!r}; it must be a text, in quotes.")
+    return value
 
 
 def _switch(said: Mapping[str, Any], name: str) -> bool:
