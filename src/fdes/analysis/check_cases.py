@@ -68,7 +68,7 @@ DEMANDS = {
     "nesc_13_1_f16_altitude": Demand(
         "Atmos_13p1_SubsonicAltitudeChangeF16",
         {ALTITUDE: 0.2},
-        {"SIM 04": "keeps the references of the autopilot's file, of a gravity that does not change with place"},
+        {"SIM 04": "begins in another trim; with the references of the autopilot's own file it would be 0.47 ft"},
     ),
 }
 
