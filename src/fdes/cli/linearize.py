@@ -6,6 +6,7 @@ import typer
 
 from fdes.cli.options import FLAG, Across, AircraftName, AsJson, Changes, ConditionName, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table
+from fdes.cli.scenario import loading_of
 
 DUST = 1e-12  # what rounding leaves of a zero
 
@@ -36,7 +37,7 @@ def linearize(
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.flight.table_ends import beyond_tables
 
-    ready = chosen(aircraft, condition, variant, changes, across)
+    ready = chosen(aircraft, loading_of(aircraft, condition, wanted), variant, changes, across)
     default = TrimSpec(ready.reference.V, ready.reference.h)
     plant = six_dof_of(ready)
     point = trim(plant, spec_of(wanted, default) if wanted else default)

@@ -95,9 +95,9 @@ def write_s119(earth: "Earth", flight: "Recording", file: TextIO, warmer: float 
     np.savetxt(file, np.column_stack(list(columns.values())), fmt="%.15g", delimiter=",")
 
 
-def loading_of(aircraft: str, condition: str | None, plant: str, trim: str | None) -> str | None:
+def loading_of(aircraft: str, condition: str | None, trim: str | None) -> str | None:
     """The condition that was said; for a trim without one, that to which it belongs. Raises FdesError."""
-    if condition is not None or trim is None or plant == "linear":
+    if condition is not None or not trim:
         return condition
     from fdes.aircraft import load
     from fdes.analysis.nearest_condition import nearest_condition

@@ -134,7 +134,7 @@ def simulate(
         raise SpecError("There is nothing to fly: name an aircraft, as in fdes simulate A-4D, or give a --scenario.")
     target, picture = file_wanted(out, units), target_of(plot)
     must_be_written_as(names, plant, target, out)
-    condition = loading_of(aircraft, condition, plant, trim)
+    condition = loading_of(aircraft, condition, None if plant == "linear" else trim)
     ready = chosen(aircraft, condition, variant, changes, across, spool=spool)
     clock, every = _clock(dt, substeps, duration), frames_per_row(rate, dt)
     closed = {} if law is None else _law(law, ready, form, dt, actuators=actuators, quiet=out == STDOUT)

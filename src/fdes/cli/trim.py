@@ -6,6 +6,7 @@ import typer
 
 from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table, working
+from fdes.cli.scenario import loading_of
 from fdes.errors import SpecError
 from fdes.units import DEG, parse
 
@@ -45,7 +46,7 @@ def trim(
     from fdes.flight.nonlinear import assumptions, six_dof_of
     from fdes.flight.table_ends import beyond_tables
 
-    ready = chosen(aircraft, condition, variant, changes, across)
+    ready = chosen(aircraft, loading_of(aircraft, condition, wanted), variant, changes, across)
     plant = six_dof_of(ready)
     default = TrimSpec(ready.reference.V, ready.reference.h)
     spec, said = spec_of(wanted, default) if wanted else default, assumptions(ready, plant)
