@@ -69,6 +69,7 @@ def test_mistakes(words: list[str], said: str) -> None:
         (["--plant", "nonlinear", "--at", "latitude=3 deg"], "--at is a place on a round Earth: give --earth wgs84"),
         (["--plant", "nonlinear", "--earth", "round", "--at", "lat=3 deg"], "Did you mean 'latitude'?"),
         (["--plant", "nonlinear", "--earth", "round", "--at", "latitude=3"], "latitude=3 has no unit."),
+        (["--plant", "nonlinear", "--earth", "round", "--at", "latitude=91deg"], "no direction is north."),
         (["--plant", "nonlinear", "--earth", "round", "--at", "here"], "--at 'here' cannot be read."),
         (["--plant", "nonlinear", "--earth", "round", "--trim", "bank=30 deg"], "give V, h and gamma alone"),
         (["--plant", "nonlinear", "--earth", "round", "--initial", "u=1 m/s"], "takes no initial perturbation"),

@@ -94,6 +94,10 @@ VEHICLE = (SHIPPED / "nesc_13_1_f16_altitude.toml").read_text("utf-8")
         ({"commands": [{"altitude": "1 ft"}]}, r"commands\.at is missing: give it with a unit of the kind of s"),
         ({"commands": 3}, r"commands are tables, each under \[\[commands\]\]"),
         ({"inputs": "step elevator 1deg"}, r"inputs is no list of texts"),
+        (
+            {"initial": {"latitude": "91 deg", "longitude": "0 deg", "height": "0 m"}},
+            r"initial\.latitude is 91 deg; it must be between",
+        ),
         ({"air": {"wind_east": "3 m/s"}}, r'initial\.theta = "trim" is for calm air'),
         (
             {"earth": "flat", "initial": {"height": "9 km", "v_north": "170 m/s", "theta": "trim"}},

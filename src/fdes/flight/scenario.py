@@ -39,6 +39,7 @@ from fdes.physics.signals import Air, Surfaces
 from fdes.physics.small_perturbation import Limits
 from fdes.physics.wind import Wind
 from fdes.shelf import shelf
+from fdes.units import DEG
 
 FORMAT = 1
 SHIPPED = files("fdes.flight") / "scenarios"
@@ -191,6 +192,8 @@ def _under_way(plant: SixDof, document: Mapping[str, Any], *, is_vehicle: bool) 
             f'rates_from is {rates_from!r}; it must be "earth" or "inertial": what p, q, r are relative to.'
         )
     first, second, third = quantities(initial, where, "initial.").values()
+    if not earth.g and abs(first) > 90.0 * DEG:
+        raise SpecError(f"initial.latitude is {first / DEG:g} deg; it must be between -90 and 90 deg.")
     if is_vehicle and is_trimmed(initial):
         for key in (*FOUND, *HELD):
             if key in initial:

@@ -26,6 +26,7 @@ CALM = Air()
 TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS = 25
+NORTHMOST = 89.9 * DEG
 
 
 class Over(NamedTuple):
@@ -47,6 +48,11 @@ def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
     level = sqrt(over.north * over.north + over.east * over.east)
     if earth.g or not level:
         raise SpecError("This trim is along the surface of a round Earth: over a flat one, ask for an ordinary trim.")
+    if abs(over.latitude) > NORTHMOST:
+        raise SpecError(
+            f"The latitude is {over.latitude / DEG:g} deg; a trim is within {NORTHMOST / DEG:g} deg of the equator: at a "
+            "pole, no direction is north."
+        )
     course = atan2(over.east, over.north)
     turning = local_rates(earth, over)
     free = plant._replace(earth=earth, limits=FREE, rest=Surfaces())
