@@ -50,8 +50,8 @@ def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
         raise SpecError("This trim is along the surface of a round Earth: over a flat one, ask for an ordinary trim.")
     if abs(over.latitude) > NORTHMOST:
         raise SpecError(
-            f"The latitude is {over.latitude / DEG:g} deg; a trim is within {NORTHMOST / DEG:g} deg of the equator: at a "
-            "pole, no direction is north."
+            f"The latitude is {over.latitude / DEG:g} deg; a trim is within {NORTHMOST / DEG:g} deg of the equator: "
+            "at a pole, no direction is north."
         )
     course = atan2(over.east, over.north)
     turning = local_rates(earth, over)
