@@ -7,7 +7,9 @@ from typing import Any
 import pytest
 
 from fdes.aircraft import load
+from fdes.aircraft.load import aircraft_of
 from fdes.aircraft.role import role_of
+from fdes.aircraft.save import as_toml
 from fdes.cockpit.cabin import Cabin
 from fdes.cockpit.commands import ClearInputs, PutIn, Reset
 from fdes.cockpit.craft import make_craft
@@ -61,6 +63,47 @@ def test_plant_actuators_and_sensors_come_along() -> None:
     assert again.header() == craft.header()
     assert again.control == craft.control
     assert again.fit.control.sampled
+
+
+def test_interpolation_across_mach_and_a_lagging_engine_come_along() -> None:
+    craft = make_craft(load("A-4D").at(across="mach", spool=True), changes=["Cm_q*=0.5"], plant="nonlinear")
+    said = json.loads(json.dumps(experiment_of(craft, FLEET, [])))
+    assert (said["across"], said["spool"]) == ("mach", True)
+    again, _ = opened(json.dumps(said), FLEET)
+    assert again.header() == craft.header()
+    assert again.setup.plant == craft.setup.plant
+    assert not {"across", "spool"} & experiment_of(make_craft(load("A-4D").at()), FLEET, []).keys()
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ({"across": "os.system"}, "no quantity to interpolate across named 'os.system'"),
+        ({"aircraft": "F-16", "condition": "V502_SL", "spool": True}, "lag of its own"),
+        ({"aircraft": "NAVION", "condition": "M0.158_SL", "across": "mach"}, "no other condition"),
+    ],
+)
+def test_what_cannot_be_interpolated_or_lag_is_refused(said: dict[str, Any], words: str) -> None:
+    with pytest.raises(FdesError, match=words):
+        opened(experiment(**said), FLEET)
+
+
+def test_another_condition_of_what_flies_is_interpolated_too_as_far_as_it_can_be() -> None:
+    fleet = Fleet(load("JetStar"), "M0.80_40kft", "corrected", "full", "rk4", "nonlinear", spool=True)
+    assert fleet.craft("JetStar", None, "corrected", fleet.first).base.spool
+    between = Fleet(load("A-4D"), None, "corrected", "full", "rk4", "nonlinear", across="mach", spool=True)
+    other = fleet.craft("A-4D", "M0.8_35kft", "corrected", between.first).base
+    assert (other.condition, other.across[0].condition, other.spool) == ("M0.8_35kft", "M0.4_SL", True)
+    elsewhere = fleet.craft("NAVION", None, "corrected", between.first).base
+    assert not elsewhere.across
+    assert not elsewhere.spool
+
+
+def test_a_file_says_that_its_engine_lagged_and_is_not_made_of_several_conditions() -> None:
+    with pytest.raises(FdesError, match=r"between M0\.4_SL, M0.8_35kft; a saved file holds one condition alone"):
+        as_toml(load("A-4D").at(across="mach"))
+    lagging = load("A-4D").at(spool=True)
+    assert any("Flown with --spool" in note for note in aircraft_of(as_toml(lagging), "the file").at().notes)
 
 
 class Flown:

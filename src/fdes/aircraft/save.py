@@ -27,8 +27,15 @@ Content = dict[str, Any]
 def saved(condition: FlightCondition) -> Content:
     """The content of a file that flies as `condition` does by its corrected values, plain enough for TOML.
 
-    Raises SpecError where no file can say a value to the last bit, which happens with dimensional derivatives in feet.
+    Raises SpecError where no file can say a value to the last bit, which happens with dimensional derivatives in feet,
+    and for an aircraft between several conditions.
     """
+    if condition.across:
+        flown = ", ".join((condition.condition, *(c.condition for c in condition.across)))
+        raise SpecError(
+            f"What flies is interpolated across Mach between {flown}; a saved file holds one condition alone. Share "
+            "the experiment instead, which keeps all of them."
+        )
     content = deepcopy(dict(condition.document))
     own = next(c for c in content["conditions"] if c["id"] == condition.condition)
     content["conditions"] = [own]
@@ -72,6 +79,8 @@ def decimal(value: float, unit: str) -> float | None:
 
 
 def _describe(content: Content, own: Content, condition: FlightCondition) -> None:
+    if condition.spool:
+        own["notes"] = [*own.get("notes", ()), "Flown with --spool, which no file can say: give it again."]
     if not condition.changes:
         return
     said = "; ".join(str(change) for change in condition.changes)

@@ -13,6 +13,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from fdes.aircraft import parse
+from fdes.aircraft.across import MACH
 from fdes.aircraft.role import role_of
 from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.commands import Hold, PutIn
@@ -44,6 +45,8 @@ class Experiment(BaseModel):
     variant: Literal["corrected", "printed"] = "corrected"
     form: str = Field(default="full", max_length=LONGEST)
     plant: str = Field(default=LINEAR, max_length=LONGEST)
+    across: str | None = Field(default=None, max_length=LONGEST)
+    spool: bool = False
     integrator: str = Field(default="rk4", max_length=LONGEST)
     step: float
     changes: list[str] = Field(default=[], max_length=MOST)
@@ -88,6 +91,8 @@ def experiment_of(
         variant=base.variant,
         form=craft.form,
         plant=craft.plant,
+        across=MACH if base.across else None,
+        spool=base.spool,
         integrator=craft.integrator,
         step=craft.clock.dt,
         changes=list(craft.changes),
@@ -117,7 +122,7 @@ def opened(text: str, fleet: Fleet) -> tuple[Craft, Experiment]:
         aircraft = fleet.named(said.aircraft)
     else:
         aircraft = parse(said.document, "The aircraft in the experiment")
-    base = aircraft.at(said.condition, said.variant)
+    base = aircraft.at(said.condition, said.variant, across=said.across, spool=said.spool)
     role = role_of(base.document, base.condition).but(said.airplane_class, said.category, said.phase)
     if said.after and len(said.after) != len(said.inputs):
         raise SpecError(f"The experiment cannot be used: it has {len(said.inputs)} inputs and {len(said.after)} times.")

@@ -4,6 +4,7 @@ The network names aircraft by id. An id that is not offered is reported, never l
 """
 
 import json
+from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
@@ -12,8 +13,8 @@ from fdes.aircraft.load import aircraft_of
 from fdes.analysis.flown_plant import LINEAR
 from fdes.cockpit.craft import Craft, make_craft
 from fdes.cockpit.flight_control import NONE, Control
-from fdes.errors import FdesError, NoSuchPart
-from fdes.flight.header import condition_in
+from fdes.errors import FdesError, NoSuchPart, SpecError
+from fdes.flight.header import condition_in, how_at
 
 
 class Fleet:
@@ -51,9 +52,15 @@ class Fleet:
     def craft(self, aircraft: str, condition: str | None, variant: str, like: Craft) -> Craft:
         """An aircraft made ready, with the equations and the step of `like`.
 
-        Raises NoSuchPart for an id, condition or variant that is not offered.
+        Another condition of the aircraft that flies is interpolated across Mach, and its engine lags, if that one is
+        and does, as far as it can be. Raises NoSuchPart for an id, condition or variant that is not offered.
         """
-        wanted = self.named(aircraft).at(condition, variant)
+        named = self.named(aircraft)
+        wanted = named.at(condition, variant)
+        if named.document == like.base.document:
+            for name, how in how_at(like.base).items():
+                with suppress(SpecError):
+                    wanted = named.at(condition, variant, **{**how_at(wanted), name: how})
         return make_craft(wanted, like.form, like.integrator, like.clock.dt, plant=like.plant)
 
     def opened(self, text: str, like: Craft) -> Craft:

@@ -14,6 +14,11 @@ def condition_in(aircraft: Aircraft, header: Mapping[str, Any]) -> FlightConditi
     return aircraft.at(header["condition"], header["variant"], across=across, spool=spool)
 
 
+def how_at(condition: FlightCondition) -> dict[str, Any]:
+    """What `Aircraft.at` was asked for beside the names of `condition`: interpolation across Mach, an engine's lag."""
+    return ({"across": MACH} if condition.across else {}) | ({"spool": True} if condition.spool else {})
+
+
 def header_of(
     condition: FlightCondition, form: str, integrator: str, clock: Clock, law: str = "direct", **more: Any
 ) -> dict[str, Any]:
@@ -26,8 +31,7 @@ def header_of(
         "condition": condition.condition,
         "variant": condition.variant,
         "changes": [str(change) for change in condition.changes],
-        **({"across": MACH} if condition.across else {}),
-        **({"spool": True} if condition.spool else {}),
+        **how_at(condition),
         "form": form,
         "integrator": integrator,
         "dt": clock.dt,
