@@ -222,9 +222,10 @@ def _design_one(
             f"{what} is out of reach. The best that a positive gain attains is {best:.3g}{unit}, at gain "
             f"{found.gain:.4g}, which is taken.{why}"
         )
-    shown = _achieved(loop, rule, quantity, wanted, begin, found.root, reached=found.reached)
     taken = gains(found.gain)
-    return _Closed(made(**taken), _all_settings(loop, settings, taken), shown, found.root, notes)
+    root = nearest_root(closed(**taken), found.root)
+    shown = _achieved(loop, rule, quantity, wanted, begin, root, reached=found.reached)
+    return _Closed(made(**taken), _all_settings(loop, settings, taken), shown, root, notes)
 
 
 def _design_two(

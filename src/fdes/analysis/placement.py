@@ -49,7 +49,7 @@ def followed_root(without: LinearModel, closed: LinearModel, root: complex) -> c
     """What becomes of a root of the loop with gains of zero when they grow together to those of `closed`."""
     share = np.linspace(0.0, 1.0, STEPS)[:, None, None]
     roots = continuous_roots(without.A + share * (closed.A - without.A), without.dt)
-    return complex(_followed(roots, root)[-1])
+    return nearest_root(closed, complex(_followed(roots, root)[-1]))
 
 
 @dataclass(frozen=True)
