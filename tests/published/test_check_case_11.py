@@ -69,3 +69,7 @@ def test_what_cannot_be_trimmed_is_said() -> None:
         trim_over(without_rotor(), FLAT, OVER)
     with pytest.raises(TrimError, match=r"No trim over that Earth: the nearest has pitch .* Ask for another speed"):
         trim_over(without_rotor(), WGS84, OVER._replace(down=-1500.0 * FOOT))
+    stopped = without_rotor()
+    up_only = stopped.limits._replace(upper=stopped.limits.upper._replace(elevator=-5.0 * DEG))
+    with pytest.raises(TrimError, match=r"elevator -3\.2\d* deg of -25 to -5, throttle"):
+        trim_over(stopped._replace(limits=up_only), WGS84, OVER)

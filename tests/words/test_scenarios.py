@@ -54,6 +54,8 @@ def test_the_loop_that_flies_linear_aircraft_flies_it_unchanged() -> None:
         ({"body": {"mass": "3 kg", "Ix": True}}, r"body\.Ix is True; it must be a number with a unit, in quotes"),
         ({"body": {"mas": "3 kg"}}, r"body\.mas is not a known key\. Did you mean 'mass'\?"),
         ({"body": {}}, r"body\.mass is missing: give it with a unit of the kind of kg"),
+        ({"earth": {"a": 1}}, r"There is no Earth named"),
+        ({"rates_from": ["earth"]}, r"rates_from is \['earth'\]; it must be"),
         ({"rates_from": "stars"}, r'rates_from is \'stars\'; it must be "earth" or "inertial"'),
         ({"air": {"wnd_east": "3 m/s"}}, r"air\.wnd_east is not a known key\. Did you mean 'wind_east'\?"),
     ],

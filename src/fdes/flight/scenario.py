@@ -138,9 +138,9 @@ def scenario_of(document: Mapping[str, Any]) -> Scenario:
     only_known(document, TOP | TABLES | LISTS, "")
     if document.get("format") != FORMAT:
         raise SpecError(f"format is {document.get('format')!r}; this FDES reads format = {FORMAT}.")
-    name = document.get("earth", "wgs84")
+    name = str(document.get("earth", "wgs84"))
     if name not in EARTHS:
-        raise NoSuchPart("Earth", str(name), EARTHS)
+        raise NoSuchPart("Earth", name, EARTHS)
     earth, is_vehicle = EARTHS[name], "vehicle" in document
     if is_vehicle == ("body" in document):
         raise SpecError("A scenario flies either a [body] or a [vehicle]: give one of the two.")
@@ -187,7 +187,7 @@ def _under_way(plant: SixDof, document: Mapping[str, Any], *, is_vehicle: bool) 
     where = FLAT_PLACE if earth.g else ROUND_PLACE
     only_known(initial, {**where, **MOTION, **(HELD if is_vehicle else {})}, "initial.")
     rates_from = document.get("rates_from", "earth")
-    if rates_from not in {"earth", "inertial"}:
+    if rates_from not in ("earth", "inertial"):
         raise SpecError(
             f'rates_from is {rates_from!r}; it must be "earth" or "inertial": what p, q, r are relative to.'
         )

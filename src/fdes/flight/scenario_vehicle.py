@@ -56,9 +56,6 @@ class Flown:
 HANDS_OFF = Flown()
 
 
-HANDS_OFF = Flown()
-
-
 class Edits:
     """Laws that take over, each with the first frame that begins at its time."""
 

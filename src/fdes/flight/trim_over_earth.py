@@ -43,7 +43,8 @@ class Over(NamedTuple):
 def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
     """The plant over `earth`, its flights beginning in that one. Raises SpecError, TrimError.
 
-    SpecError: over a flat Earth, or straight up or down. TrimError: nothing balances it.
+    SpecError: over a flat Earth, or straight up or down. TrimError: nothing balances it, or not within the stops of
+    elevator and throttle.
     """
     level = sqrt(over.north * over.north + over.east * over.east)
     if earth.g or not level:
@@ -71,21 +72,23 @@ def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
     z = np.array([atan2(plant.initial.w, plant.initial.u) + atan2(-over.down, level), 0.0, plant.rest.throttle])
     left = np.array(accelerations(z.tolist()))
     for _ in range(ITERATIONS):
-        if np.abs(left).max() < ENOUGH:
+        if np.abs(left).max() < ENOUGH or not np.isfinite(left).all():
             break
         columns = []
         for k in range(len(z)):
             stepped = [complex(v, TINY if i == k else 0.0) for i, v in enumerate(z.tolist())]
             columns.append([v.imag / TINY for v in accelerations(stepped)])  # type: ignore[arg-type]  # complex steps
-        z -= np.linalg.solve(np.array(columns).T, left)
+        z -= np.linalg.lstsq(np.array(columns).T, left, rcond=None)[0]
         left = np.array(accelerations(z.tolist()))
     theta, elevator, throttle = z.tolist()
-    short = np.abs(left).max() > 100.0 * ENOUGH or not 0.0 <= throttle <= 1.0
+    low, high = plant.limits
+    within = low.elevator <= elevator <= high.elevator and low.throttle <= throttle <= high.throttle
     found = plant._replace(earth=earth, initial=state(theta, throttle), rest=Surfaces(elevator, throttle=throttle))
-    if short:
+    if not (within and np.abs(left).max() <= 100.0 * ENOUGH):
         raise TrimError(
-            f"No trim over that Earth: the nearest has pitch {theta / DEG:.4g} deg, elevator {elevator / DEG:.4g} deg, "
-            f"throttle {throttle:.4g}, and still accelerates by {np.abs(left).max():.2g} m/s^2 or rad/s^2. "
+            f"No trim over that Earth: the nearest has pitch {theta / DEG:.4g} deg, elevator {elevator / DEG:.4g} deg "
+            f"of {low.elevator / DEG:.4g} to {high.elevator / DEG:.4g}, throttle {throttle:.4g} of {low.throttle:g} to "
+            f"{high.throttle:g}, and still accelerates by {np.abs(left).max():.2g} m/s^2 or rad/s^2. "
             "Ask for another speed or height.",
             best=found,
             nearest=None,
