@@ -14,6 +14,7 @@ from typer.core import TyperGroup
 from fdes import __version__
 from fdes.cli.aircraft import app as aircraft
 from fdes.cli.check import check
+from fdes.cli.compare import compare
 from fdes.cli.derivatives import derivatives
 from fdes.cli.fly import fly
 from fdes.cli.linearize import linearize
@@ -75,6 +76,7 @@ app.command(epilog='Example: fdes whatif flight.fdes --try "Cm_q*=0.5" --plot wh
 app.command(epilog="Example: fdes trim NAVION 'V=90 kt h=5000 ft turn=3 deg/s'")(trim)
 app.command(epilog="Example: fdes performance NAVION --height '5000 ft'")(performance)
 app.command(epilog="Example: fdes linearize A-4D 'mach=0.5 h=10000 ft'")(linearize)
+app.command(epilog="Example: fdes compare A-4D -i 'doublet elevator 2deg for 2s'")(compare)
 app.command(epilog="Example: fdes check A-4D")(check)
 app.command(epilog="Example: fdes settings")(settings)
 app.command(epilog="Example: fdes shelves --json")(shelves)
