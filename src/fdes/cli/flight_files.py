@@ -67,7 +67,8 @@ def write(response: "Recording", out: str, target: Path | None, units: str, name
         return
     with whole(target) as part:
         SAVE[target.suffix.lower()](response, part, units, names)
-    screen().print(f"{out}: {len(response.data)} rows, {len(response.columns)} columns", soft_wrap=True)
+    columns = f", {len(response.columns)} columns" if names == "fdes" else ""
+    screen().print(f"{out}: {len(response.data)} rows{columns}", soft_wrap=True)
 
 
 @contextmanager
