@@ -180,6 +180,11 @@ def test_around_nothing_it_says_so() -> None:
             "The lag of the sensors is -0.001 s; it must be zero or more, such as 0.02 s.",
         ),
         ("yaw_damper; sensors delay=-2s", "The delay is -2 s; it must be zero or more, such as 0.02 s."),
+        (
+            "yaw_damper; sensors delay=1e6s",
+            "The delay of 1e+06 s is 120,000,000 frames of 0.00833 s; at most 120 are computed. Ask for a shorter",
+        ),
+        ("yaw_damper; sensors delay=1.01s", "at most 120 are computed."),
         ("yaw_damper; sensors zeta=0.4", "sensors cannot be designed for zeta: FDES knows no design for it."),
         ("yaw_damper; sensors gain=0.4", "There is no setting of sensors named 'gain'."),
     ],

@@ -204,6 +204,9 @@ class Limiter:
         return StateSpace(np.zeros((0, 0)), np.zeros(0), np.zeros(0), 1.0)
 
 
+MOST_FRAMES = 120  # of a delay that is linearized: each is a state, and roots of many more take minutes
+
+
 @dataclass(frozen=True)
 class Delay:
     """The input of `time` [s] ago. Exact for whole frames; between two frames the straight line between them.
@@ -236,9 +239,14 @@ class Delay:
         return whole + (part > 0.0)
 
     def linear(self, dt: float | None = None) -> StateSpace:
-        """As many states as past inputs; continuous, two."""
+        """As many states as past inputs; continuous, two. Raises SpecError for more frames than `MOST_FRAMES`."""
         if dt is None:
             return self._pade()
+        if not self.time / dt <= MOST_FRAMES:
+            raise SpecError(
+                f"The delay of {self.time:g} s is {self.time / dt:,.0f} frames of {dt:.3g} s; at most {MOST_FRAMES} "
+                "are computed. Ask for a shorter delay, or a longer step."
+            )
         n, (whole, part) = self.length(dt), self._frames(dt)
         A, B, taps = np.eye(n, k=-1), np.zeros(n), np.zeros(n + 2)
         B[:1] = 1.0
