@@ -5,9 +5,10 @@ import math
 import pytest
 
 from fdes.aircraft import edited, load
-from fdes.analysis.climb import SERVICE, best_excess, rate_of_climb
+from fdes.analysis.climb import SERVICE, AtHeight, best_excess, rate_of_climb, times_to_climb
 from fdes.analysis.level_flight import (
     Craft,
+    Speeds,
     largest_lift,
     level_speeds,
     reach_of,
@@ -23,7 +24,7 @@ from fdes.analysis.maneuver import (
 )
 from fdes.analysis.performance import ALL, Performance, Wanted, craft_of, performance
 from fdes.analysis.trim import TrimSpec, solve
-from fdes.analysis.v_n import fallen, lift_slope, load_factors
+from fdes.analysis.v_n import equivalent, fallen, lift_slope, load_factors, structure_of
 from fdes.errors import NoSuchPart
 from fdes.flight.nonlinear import six_dof_of
 from fdes.physics.atmosphere import standard_atmosphere
@@ -314,3 +315,20 @@ def test_across_mach_reaches_from_the_slowest_to_the_fastest_condition() -> None
     assert reach_of(both).slow == 0.0
     assert reach_of(load("A-4D").at("M0.8_35kft")).slow > 0.0
     assert performance(both, Wanted(h=8000.0)).figure("fastest").value > 200.0
+
+
+def test_the_way_up_is_the_integral_of_an_excess_that_is_straight_in_height() -> None:
+    """From 10 to 5 m/s over 1000 m: H / (a - b) ln(a / b)."""
+    rows = [AtHeight(h, 30.0, 40.0, excess, (), None) for h, excess in ((0.0, 10.0), (1000.0, 5.0), (1500.0, 5.0))]
+    assert times_to_climb(rows) == pytest.approx([0.0, 200.0 * math.log(2.0), 200.0 * math.log(2.0) + 100.0])
+
+
+def test_design_speeds_are_equivalent_and_no_faster_than_the_data_know() -> None:
+    """At 3000 m sound goes 328.58 m/s and the density is 0.90925 kg/m^3: U.S. Standard Atmosphere, 1976, table I."""
+    known = 0.3 * 328.58 * math.sqrt(0.90925 / 1.2250)
+    assert equivalent(0.3 * 328.58, 3000.0) == pytest.approx(known, rel=1e-5)
+    asked = craft_of(NAVION, six_dof_of(NAVION), Wanted(fastest=0.3))
+    fastest = Speeds(3000.0, 30.0, (asked.first(80.0, 3000.0, 1.0),), "", "")
+    found = structure_of(NAVION, asked, fastest, None, None)
+    normal = 33.0 * math.sqrt(2750.0 / 184.0) * KNOT
+    assert (found.V_C, found.V_D) == pytest.approx((normal, known), rel=1e-4)

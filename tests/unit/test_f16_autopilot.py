@@ -64,3 +64,24 @@ def test_it_asks_for_no_more_than_there_is() -> None:
     much, more = (command(Y._replace(psi=Y.psi - turn * DEG)) for turn in (4.0, 170.0))
     np.testing.assert_allclose(much, more)
     np.testing.assert_allclose(command(Y._replace(psi=Y.psi + 2.0 * np.pi - 4.0 * DEG)), much)
+
+
+def test_it_says_what_the_published_file_says() -> None:
+    """F16_control.dml itself, its equations evaluated as they stand there: a little off in everything."""
+    law = F16Autopilot(
+        altitude=10013.0 * FOOT,
+        course=45.0 * DEG,
+        airspeed=287.8 * KNOT,
+        alpha=2.653813535191715 * DEG,
+        theta=2.653813535191715 * DEG,
+        elevator=-25.0 * DEG * 0.1296382327486013,
+        throttle=0.1390191130965607,
+    )
+    angles = {"alpha": 2.655, "beta": 0.02, "phi": 0.02, "theta": 2.66, "psi": 45.001}
+    rates = {"p": -0.001, "q": 0.0002, "r": 0.002}
+    off = Y._replace(h=10013.2 * FOOT, eas=287.81 * KNOT, **rates, **{k: v * DEG for k, v in angles.items()})
+    elevator, aileron, rudder, throttle = command(off, law)
+    assert (elevator + law.elevator) / DEG == pytest.approx(-1.926081658180272, abs=1e-9)
+    assert aileron / DEG == pytest.approx(-15.16219670110104, abs=1e-9)  # theirs is positive to the left
+    assert rudder / DEG == pytest.approx(-4.821123704129841, abs=1e-9)
+    assert 100.0 * throttle == pytest.approx(12.545522852095308, abs=1e-9)
