@@ -331,4 +331,5 @@ def test_design_speeds_are_equivalent_and_no_faster_than_the_data_know() -> None
     fastest = Speeds(3000.0, 30.0, (asked.first(80.0, 3000.0, 1.0),), "", "")
     found = structure_of(NAVION, asked, fastest, None, None)
     normal = 33.0 * math.sqrt(2750.0 / 184.0) * KNOT
-    assert (found.V_C, found.V_D) == pytest.approx((normal, known), rel=1e-4)
+    design_speeds = found.V_C, found.V_D
+    assert design_speeds == pytest.approx((normal, known), rel=1e-4)

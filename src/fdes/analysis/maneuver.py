@@ -15,15 +15,12 @@ from typing import NamedTuple
 import numpy as np
 
 from fdes.elementary import atan2, cos, sin, sqrt
+from fdes.flight.steady import CALM, FREE, slopes
 from fdes.physics.attitude import quaternion
 from fdes.physics.plant import SixDof, State, instant, thrust_of
-from fdes.physics.signals import Air, Surfaces
-from fdes.physics.small_perturbation import Limits
+from fdes.physics.signals import Surfaces
 from fdes.units import Meter, MeterPerSecond, MeterPerSecond2, Newton, Number, Radian, RadianPerSecond
 
-FREE = Limits(Surfaces(*[-1e9] * 4), Surfaces(*[1e9] * 4))  # stops are asked of what is found, not of the search
-CALM = Air()
-TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-9  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS, HALVINGS = 20, 8
 ANGLES, MOST = ("gamma", "alpha", "phi"), 0.2  # rad: no step of the search is larger
@@ -76,12 +73,9 @@ def balanced(plant: SixDof, guess: Maneuver, free: Sequence[str]) -> Maneuver | 
     for _ in range(ITERATIONS):
         if _size(left) < ENOUGH:
             return _with(guess, places, z.tolist())
-        columns = []
-        for k in range(len(z)):
-            stepped = [complex(v, TINY if i == k else 0.0) for i, v in enumerate(z.tolist())]
-            columns.append([v.imag / TINY for v in _unbalanced(loose, guess, places, stepped)])
+        by = slopes(lambda z: _unbalanced(loose, guess, places, z), z.tolist())
         try:
-            change = np.linalg.solve(np.array(columns).T, -left)
+            change = np.linalg.solve(by, -left)
         except np.linalg.LinAlgError:
             return None
         largest = max((abs(float(change[k])) for k in angles), default=0.0)

@@ -7,9 +7,10 @@ said by how much they fall short.
 import math
 
 from fdes.analysis.trim_request import TrimSpec, in_words, must_be_possible, spec_of
-from fdes.analysis.trim_search import CALM, ENOUGH, FREE, ITERATIONS, TINY, TrimPoint, solve, solve_briefly, solve_from
+from fdes.analysis.trim_search import ENOUGH, ITERATIONS, TrimPoint, solve, solve_briefly, solve_from
 from fdes.elementary import cos, sin
 from fdes.errors import SpecError, TrimError
+from fdes.flight.steady import CALM, FREE, TINY
 from fdes.physics.aero import DerivativeAero
 from fdes.physics.plant import SixDof
 from fdes.physics.signals import Surfaces

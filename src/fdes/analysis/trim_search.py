@@ -2,30 +2,27 @@
 
 Six accelerations are to vanish: six unknowns, as a rule alpha, bank, elevator, aileron, rudder and throttle. What is
 asked for in place of speed, path, turn or sideslip exchanges an unknown for it, or adds one with its equation. Slopes
-are by complex step, and serve as long as the search closes in fast.
+are by complex step (`fdes.flight.steady`), and serve as long as the search closes in fast.
 
-Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simulation, 3rd ed., sec. 3.4 and 3.6;
-W. Squire, G. Trapp, SIAM Review 40 (1998) 110-112, for the complex step.
+Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simulation, 3rd ed., sec. 3.4 and 3.6.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fdes.analysis.trim_request import TrimSpec
 from fdes.elementary import atan2, cos, sin, sqrt, tan
+from fdes.flight.steady import CALM, FREE, slopes
 from fdes.physics.attitude import quaternion
 from fdes.physics.plant import SixDof, State
-from fdes.physics.signals import Air, Outputs, Surfaces
-from fdes.physics.small_perturbation import Limits
+from fdes.physics.signals import Outputs, Surfaces
 from fdes.units import DEG, G0
 
-FREE = Limits(Surfaces(*[-1e9] * 4), Surfaces(*[1e9] * 4))
-CALM = Air()
-TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS, HALVINGS = 25, 6
 PATIENCE = 6  # steps that bring next to nothing, before the search ends
@@ -111,15 +108,15 @@ def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
     z = np.array([problem.known[k] for k in problem.unknown])
     left, iterations = _left(problem, z), 0
     sizes = [_size(left)]
-    slopes: NDArray[np.float64] | None = None
+    by: NDArray[np.float64] | None = None  # the unknowns: the slopes of the equations, while they serve
     chosen = list(range(len(z)))
     while sizes[-1] > ENOUGH and iterations < ITERATIONS and not _stuck(sizes):
-        fresh = slopes is None
-        if slopes is None:
+        fresh = by is None
+        if by is None:
             chosen = _worth_changing(problem, left)
-            slopes = _slopes(problem, z, chosen)
+            by = slopes(partial(_equations, problem), z.tolist(), chosen)
         change = np.zeros(len(z))
-        change[chosen] = _solved(slopes[chosen], -left[chosen])
+        change[chosen] = _solved(by[chosen], -left[chosen])
         change *= min(1.0, *(most / max(abs(d), 1e-12) for d, most in zip(change, _farthest(problem, z), strict=True)))
         then = _left(problem, z + change)
         for _ in range(HALVINGS if fresh else 0):
@@ -129,7 +126,7 @@ def solve_from(plant: SixDof, spec: TrimSpec, alpha: float) -> TrimPoint:
             then = _left(problem, z + change)
         better = _size(then) / sizes[-1]
         if not better < FAST:
-            slopes = None
+            by = None
         if better < 1.0:
             z, left, iterations = z + change, then, iterations + 1
             sizes.append(_size(left))
@@ -204,16 +201,6 @@ def _size(residual: NDArray[np.float64]) -> float:
 
 def _left(problem: Problem, z: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array(_equations(problem, z.tolist()))
-
-
-def _slopes(problem: Problem, z: NDArray[np.float64], chosen: Sequence[int]) -> NDArray[np.float64]:
-    """Of all equations, by the chosen unknowns."""
-    columns = []
-    for k in chosen:
-        stepped: list[Any] = z.tolist()
-        stepped[k] = complex(stepped[k], TINY)
-        columns.append([v.imag / TINY for v in _equations(problem, stepped)])
-    return np.array(columns).T
 
 
 def _equations(problem: Problem, z: Sequence[float]) -> list[float]:

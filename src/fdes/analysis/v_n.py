@@ -17,9 +17,10 @@ import numpy as np
 from fdes.aircraft import FlightCondition
 from fdes.aircraft.role import role_of
 from fdes.analysis.level_flight import Craft, Lift, Speeds, at_largest_lift, density
-from fdes.analysis.maneuver import CALM, FREE, PULLING, TINY, Maneuver, load_factor, state_of
+from fdes.analysis.maneuver import PULLING, Maneuver, load_factor, state_of
 from fdes.elementary import cos, sin
 from fdes.errors import SpecError
+from fdes.flight.steady import CALM, FREE, TINY
 from fdes.physics.atmosphere import RHO0, standard_atmosphere
 from fdes.physics.plant import instant
 from fdes.physics.signals import Surfaces
@@ -141,7 +142,7 @@ def vn_diagram(
         if not (math.isfinite(up) and math.isfinite(down)):
             continue
         for crossed in _crossings(bounds[-1], V, up, down, structure) if bounds else ():
-            V_A = crossed.V if crossed.lift_up == structure.n_max else V_A
+            V_A = crossed.V if V_A is None and crossed.lift_up == structure.n_max else V_A
             bounds.append(crossed)
         bounds.append(_bound(structure, V, up, down))
     level = min(speeds.line, key=lambda m: abs(m.V - structure.V_C * true))

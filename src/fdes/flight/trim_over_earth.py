@@ -8,22 +8,20 @@ Reference: B. L. Stevens, F. L. Lewis, E. N. Johnson, Aircraft Control and Simul
 NASA/TM-2015-218675, appendix B, case 11, for the flight.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from fdes.elementary import atan2, sin, sqrt, tan
 from fdes.errors import SpecError, TrimError
+from fdes.flight.steady import CALM, FREE, slopes
 from fdes.physics.attitude import Three, quaternion, rotation, turned_back
 from fdes.physics.earth import Earth
 from fdes.physics.plant import SixDof, State, derivative, state_at
-from fdes.physics.signals import Air, Surfaces
-from fdes.physics.small_perturbation import Limits
+from fdes.physics.signals import Surfaces
 from fdes.units import DEG, Meter, MeterPerSecond, Radian
 
-FREE = Limits(Surfaces(*[-1e9] * 4), Surfaces(*[1e9] * 4))
-CALM = Air()
-TINY = 1e-30  # a complex step: nothing is subtracted, so nothing is lost
 ENOUGH = 1e-10  # of the accelerations [m/s^2 and rad/s^2]
 ITERATIONS = 25
 NORTHMOST = 89.9 * DEG
@@ -64,7 +62,7 @@ def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
         x = state_at(earth, at, velocity, (0.0 * theta, theta, course + 0.0 * theta), rates)
         return x._replace(power=plant.settled(plant.engine, throttle))
 
-    def accelerations(z: list[float]) -> list[float]:
+    def accelerations(z: Sequence[float]) -> list[float]:
         theta, elevator, throttle = z
         rate = derivative(free, state(theta, throttle), Surfaces(elevator, throttle=throttle), CALM)
         return [rate.u, rate.w, rate.q]
@@ -74,11 +72,7 @@ def trim_over(plant: SixDof, earth: Earth, over: Over) -> SixDof:
     for _ in range(ITERATIONS):
         if np.abs(left).max() < ENOUGH or not np.isfinite(left).all():
             break
-        columns = []
-        for k in range(len(z)):
-            stepped = [complex(v, TINY if i == k else 0.0) for i, v in enumerate(z.tolist())]
-            columns.append([v.imag / TINY for v in accelerations(stepped)])  # type: ignore[arg-type]  # complex steps
-        z -= np.linalg.lstsq(np.array(columns).T, left, rcond=None)[0]
+        z -= np.linalg.lstsq(slopes(accelerations, z.tolist()), left, rcond=None)[0]
         left = np.array(accelerations(z.tolist()))
     theta, elevator, throttle = z.tolist()
     low, high = plant.limits
