@@ -192,3 +192,12 @@ def test_what_is_no_experiment_is_refused(wrong: str) -> None:
 def test_what_is_no_aircraft_file_is_refused(wrong: str) -> None:
     with pytest.raises(FdesError, match="cannot be used"):
         FLEET.opened(wrong, FLEET.first)
+
+
+def test_inputs_more_than_an_hour_apart_do_not_keep_an_experiment_from_opening() -> None:
+    flown: Any = Flown()
+    cabin = Cabin(flown, FLEET.first)
+    for flown.t, text in ((0.0, "step rudder 1deg"), (3000.0, "step elevator 1deg"), (4000.0, "step aileron 1deg")):
+        cabin.remember(PutIn(text))
+    assert cabin.given() == [(0.0, "step elevator 1deg"), (1000.0, "step aileron 1deg")]
+    opened(json.dumps(experiment_of(FLEET.first, FLEET, cabin.given())), FLEET)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from fdes.cockpit import commands
 from fdes.cockpit.craft import Craft
+from fdes.cockpit.excite import LATEST
 from fdes.cockpit.history import History
 from fdes.cockpit.session import Session
 from fdes.cockpit.sortie import MOST_INPUTS
@@ -47,6 +48,11 @@ class Cabin:
                 self.inputs = []
 
     def given(self) -> list[tuple[float, str]]:
-        """The test inputs in their order, and how long after the first [s] each was put in."""
-        begin = min((t for t, _ in self.inputs), default=0.0)
-        return [(round(t - begin, DIGITS), text) for t, text in self.inputs]
+        """The test inputs in their order, and how long after the first [s] each was put in.
+
+        Those so long before the last that an experiment could not wait for it are left out.
+        """
+        end = max((t for t, _ in self.inputs), default=0.0)
+        kept = [(t, text) for t, text in self.inputs if end - t <= LATEST]
+        begin = min((t for t, _ in kept), default=0.0)
+        return [(round(t - begin, DIGITS), text) for t, text in kept]
