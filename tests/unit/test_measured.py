@@ -100,7 +100,7 @@ def test_says_what_is_no_file_at_all(tmp_path: Path) -> None:
     with pytest.raises(SpecError, match=r"cannot be read: Is a directory\."):
         read(f"measured elevator {tmp_path}")
     (tmp_path / "noise.csv").write_bytes(b"t,a\xff\xfe\n")
-    with pytest.raises(SpecError, match=r"noise.csv is not a CSV file: "):
+    with pytest.raises(SpecError, match=r"noise.csv is not a CSV file: it is not text in UTF-8\. Save"):
         read(f"measured elevator {tmp_path / 'noise.csv'}")
 
 

@@ -157,6 +157,9 @@ def test_names_of_files(tmp_path: Path) -> None:
     (tmp_path / "bad.toml").write_text("a = ", encoding="utf-8")
     with pytest.raises(SpecError, match=r"bad\.toml is not TOML"):
         load_scenario(tmp_path / "bad.toml")
+    (tmp_path / "noise.toml").write_bytes(b"a\xff\xfe")
+    with pytest.raises(SpecError, match=r"noise\.toml cannot be used: it is not text in UTF-8\.$"):
+        load_scenario(tmp_path / "noise.toml")
     assert len(scenario_names()) == 8
 
 

@@ -125,7 +125,9 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
         document = tomllib.loads(path.read_text("utf-8"))
     except OSError as trouble:
         raise SpecError(f"{text} cannot be read: {trouble.strerror}.") from trouble
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as trouble:
+    except UnicodeDecodeError:
+        raise SpecError(f"{text} cannot be used: it is not text in UTF-8.") from None
+    except tomllib.TOMLDecodeError as trouble:
         raise SpecError(f"{text} is not TOML: {trouble}.") from trouble
     try:
         return scenario_of(document)

@@ -105,7 +105,9 @@ def _table(file: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
         ) from None
     except OSError as trouble:
         raise SpecError(f"{file} cannot be read: {trouble.strerror or trouble}.") from trouble
-    except (UnicodeDecodeError, csv.Error, ValueError) as trouble:
+    except UnicodeDecodeError:
+        raise SpecError(f"{file} is not a CSV file: it is not text in UTF-8. Save it as CSV in UTF-8.") from None
+    except (csv.Error, ValueError) as trouble:
         raise SpecError(f"{file} is not a CSV file: {trouble}.") from trouble
     if not lines:
         raise SpecError(f"{file} is empty. Its first line should name the columns, such as 't [s],elevator [deg]'.")
