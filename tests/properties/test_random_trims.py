@@ -23,7 +23,7 @@ COUNT = int(os.environ.get("FDES_TRIMS", "8"))
 SPEEDS, HEIGHTS = (0.3, 2.0), (0.0, 60000 * FOOT)  # of the condition's; m
 CLIMBS, BANKS, SLIPS, LOADS = 30 * DEG, 75 * DEG, 15 * DEG, (0.0, 4.0)
 NAMED = re.compile(
-    r"the (elevator|aileron|rudder) would have to be .* and stops at|the throttle would have to be .* of [01]"
+    r"the (elevator|aileron|rudder|throttle) would have to be .* and stops at|the throttle would have to be .* of 1"
     r"|still accelerates by .* (falls short|is too much|to the right|to the left|in roll|in pitch|in yaw)"
 )
 CONDITIONS = [

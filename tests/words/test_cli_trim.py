@@ -59,6 +59,7 @@ def test_a_stalled_flight_is_called_so() -> None:
     ("words", "said"),
     [
         (["trim", "NAVION", "V=300 kt"], "the throttle would have to be"),
+        (["trim", "A-4D", "V=5 m/s h=0 ft"], "the throttle would have to be -2.291, and stops at 0. "),
         (["trim", "NAVION", "V=300 kt"], "With a throttle of 1 its path would be -"),
         (["trim", "B747", "V=250 kt beta=14 deg"], "the aileron would have to be 63.6 deg, and stops at 25 deg"),
         (["trim", "A-4D", "V=200 kt h=5000 ft n=2"], "m/s^2 downward, for lift falls short"),

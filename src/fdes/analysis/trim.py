@@ -113,8 +113,10 @@ def shortfalls(point: TrimPoint, limits: Limits) -> list[str]:
         if low - 1e-9 <= value <= high + 1e-9:
             continue
         stop = low if value < low else high
-        angle = name != "throttle"
-        said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg" if angle else f"{value:.4g} of {stop:g}"
+        if name != "throttle":
+            said = f"{value / DEG:.3g} deg, and stops at {stop / DEG:.3g} deg"
+        else:
+            said = f"{value:.4g} of {stop:g}" if value > high else f"{value:.4g}, and stops at {stop:g}"
         found.append(f"the {name} would have to be {said}")
     return found
 
