@@ -4,6 +4,7 @@ import json
 from csv import DictReader
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
@@ -41,6 +42,27 @@ def test_a_nonlinear_flight_is_written_like_a_linear_one(tmp_path: Path) -> None
     assert float(first.split(",")[1]) == pytest.approx(51.44, abs=0.01)
     shown = run(app, ["simulate", "NAVION", *words])
     assert "at the start" in shown.stdout
+
+
+def test_a_linearization_with_a_law() -> None:
+    """Put together by hand from the open loop: rudder = gain (r - x), x' = (r - x) / washout, r along the body axis."""
+    shown = run(app, ["linearize", "A-4D", "--law", "yaw_damper gain=0.5"])
+    assert shown.exit_code == 0, shown.output
+    assert "yaw_damper: gain 0.5" in shown.stdout
+    found = json.loads(run(app, ["linearize", "A-4D", "--law", "yaw_damper gain=0.5", "--json"]).stdout)
+    assert found["states"][-1] == "yaw_washout"
+    assert "stick_yaw" in found["inputs"]
+    open_loop = json.loads(run(app, ["linearize", "A-4D", "--json"]).stdout)
+    A, B, C = (np.array(open_loop[name]) for name in "ABC")
+    b, c = B[:, open_loop["inputs"].index("rudder")], C[open_loop["outputs"].index("r")]
+    gain, washout = 0.5, 3.0
+    by_hand = np.block([
+        [A + gain * np.outer(b, c), -gain * b[:, None]],
+        [c[None, :] / washout, np.array([[-1.0 / washout]])],
+    ])  # fmt: skip
+    np.testing.assert_allclose(
+        np.sort_complex(np.linalg.eigvals(np.array(found["A"]))), np.sort_complex(np.linalg.eigvals(by_hand)), atol=1e-9
+    )
 
 
 @pytest.mark.parametrize(
