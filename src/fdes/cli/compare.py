@@ -6,7 +6,6 @@ import typer
 
 from fdes.cli.options import Across, AircraftName, AsJson, Changes, ConditionName, PlotFile, VariantName, chosen
 from fdes.cli.output import note, number, print_json, screen, table, working
-from fdes.flight import Clock
 from fdes.units import UNIT_SYSTEMS
 
 if TYPE_CHECKING:
@@ -41,6 +40,7 @@ def compare(
     """
     from fdes.analysis.parting import apart, parting
     from fdes.cli.plot import save_plot, target_of
+    from fdes.flight import Clock
     from fdes.flight.nonlinear import assumptions, six_dof_of
 
     target = target_of(plot)
