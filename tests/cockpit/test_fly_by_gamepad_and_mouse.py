@@ -175,6 +175,7 @@ def test_start_freezes_once_for_each_press_and_not_in_a_dialog(open_page: Any) -
     page.evaluate(press, 0)
     page.wait_for_timeout(200)
     page.keyboard.press("?")
+    page.locator("dialog#help[open]").wait_for()  # it is fetched first
     page.evaluate(press, 1)
     page.wait_for_timeout(400)
     page.keyboard.press("Escape")
