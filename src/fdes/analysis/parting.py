@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fdes.aircraft import FlightCondition
+from fdes.analysis import nonlinear_response
 from fdes.analysis.trim import TrimPoint, TrimSpec, trim
 from fdes.control import Stick
 from fdes.control.laws.direct import Direct
@@ -168,7 +169,7 @@ def _trimmed(condition: FlightCondition) -> TrimPoint:
 
 def _flown(point: TrimPoint, condition: FlightCondition, excitation: Excitation, clock: Clock) -> tuple[Recording, str]:
     """The nonlinear flight, as far as it goes, and why it goes no further."""
-    plant = point.plant._replace(limits=NO_LIMITS._replace(lower=Surfaces(*NO_LIMITS.lower[:3], 0.0)))
+    plant = point.plant._replace(limits=nonlinear_response.NO_LIMITS)
     setup = Setup(plant, Direct(condition.full_stick))
     frames = fly(
         plant.start(), setup, HandsOff(plant.rest.throttle), GustyAir(excitation.gusts, point.spec.V), clock, excitation

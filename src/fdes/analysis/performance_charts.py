@@ -26,7 +26,14 @@ ROOM = 1.08  # beyond the largest value
 
 def drawn(found: Performance, title: str) -> Drawing:
     """All of it on one sheet, in SI."""
-    panels = (_thrust(found), _power(found), _envelope(found), _climb(found), _turn(found), _v_n(found))
+    panels = (
+        _required_and_available(found, "thrust", "kN"),
+        _required_and_available(found, "power", "kW"),
+        _envelope(found),
+        _climb(found),
+        _turn(found),
+        _v_n(found),
+    )
     return Drawing(title, panels, stacked=True, common_x=False, width=13.0, height=15.0)
 
 
@@ -39,29 +46,16 @@ def _curve(data: "xr.Dataset", x: str, y: str, factor: float, label: str, color:
     return Curve(_values(data, x), _values(data, y, factor), label, color, line)
 
 
-def _thrust(found: Performance) -> Panel:
-    need = _curve(found.level, "V", "thrust_required", 1e-3, "required", BLUE)
-    have = _curve(found.level, "V", "thrust_available", 1e-3, "available", VERMILION, "dash")
-    least = found.figure("least thrust")
+def _required_and_available(found: Performance, what: str, unit: str) -> Panel:
+    """Thrust or power in level flight over speed, in thousands of its unit, and the least that is required."""
+    need = _curve(found.level, "V", f"{what}_required", 1e-3, "required", BLUE)
+    have = _curve(found.level, "V", f"{what}_available", 1e-3, "available", VERMILION, "dash")
+    least = found.figure(f"least {what}")
     return Panel(
         SPEED,
-        "thrust [kN]",
+        f"{what} [{unit}]",
         (need, have),
-        _mark(found, least, "least thrust"),
-        y_range=(0.0, ROOM * max(*need.y, *have.y)),
-        title=f"level flight at {found.h:,.0f} m",
-    )
-
-
-def _power(found: Performance) -> Panel:
-    need = _curve(found.level, "V", "power_required", 1e-3, "required", BLUE)
-    have = _curve(found.level, "V", "power_available", 1e-3, "available", VERMILION, "dash")
-    least = found.figure("least power")
-    return Panel(
-        SPEED,
-        "power [kW]",
-        (need, have),
-        _mark(found, least, "least power"),
+        _mark(found, least, f"least {what}"),
         y_range=(0.0, ROOM * max(*need.y, *have.y)),
         title=f"level flight at {found.h:,.0f} m",
     )
