@@ -14,6 +14,8 @@ from array import array
 from collections.abc import Callable, Iterable
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
+from fdes.cockpit.punctual import wake_me_on_time
+
 RATE = 120  # Hz
 CATCH_UP = 0.25  # s
 NOTICEABLE = 1.0 / 60.0  # s: a lateness that costs a frame on the screen
@@ -117,6 +119,7 @@ class Hub(Generic[S]):
 
     def run(self, hand_over: Callable[[list[tuple[S, bytes | None]]], None]) -> None:
         """Tick until stopped: what the thread does."""
+        wake_me_on_time()
         period = 1.0 / self.rate
         due = self._now() + period
         number = 0

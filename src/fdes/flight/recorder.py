@@ -83,10 +83,10 @@ class Recorder:
         self.path, self._state = path, state
         columns = columns_of(state)
         self._row = struct.Struct(f"<{len(columns)}d")
-        self._waiting: deque[Frame] = deque()
+        self._waiting: deque[bytes | dict[str, Any]] = deque()  # rows, and the edits before them
         self._wake = threading.Event()
         self._ending: dict[str, Any] | None = None
-        self.frames = self._written = 0
+        self.frames = 0
         self.trouble: str | None = None
         self._file: BinaryIO = path.open("xb")
         head = {
@@ -103,8 +103,16 @@ class Recorder:
         self._thread.start()
 
     def append(self, frame: Frame) -> None:
-        """Take one frame. Returns at once."""
-        self._waiting.append(frame)
+        """Take one frame. Returns at once.
+
+        What waits is its bytes: thousands of frames kept as they are would take the processor's memory from flying.
+        """
+        note = {} if frame.edit is None else dict(frame.edit.note)
+        if self.frames == 0 and frame.memory not in (None, ()):
+            note["memory"] = frame.memory
+        if note or frame.edit is not None:
+            self._waiting.append({"t": frame.t, **note})
+        self._waiting.append(self._row.pack(*row_of(frame, self._state)))
         self.frames += 1
 
     def close(self, reason: str = "stopped") -> None:
@@ -129,16 +137,13 @@ class Recorder:
     def _flush(self) -> None:
         rows: list[bytes] = []
         while self._waiting:
-            frame = self._waiting.popleft()
-            note = {} if frame.edit is None else dict(frame.edit.note)
-            if self._written == 0 and frame.memory not in (None, ()):
-                note["memory"] = frame.memory
-            if note or frame.edit is not None:
+            waiting = self._waiting.popleft()
+            if isinstance(waiting, bytes):
+                rows.append(waiting)
+            else:
                 self._put(rows)
                 rows = []
-                self._file.write(chunk(b"EDIT", json.dumps({"t": frame.t, **note}).encode()))
-            self._written += 1
-            rows.append(self._row.pack(*row_of(frame, self._state)))
+                self._file.write(chunk(b"EDIT", json.dumps(waiting).encode()))
         self._put(rows)
         self._file.flush()
 

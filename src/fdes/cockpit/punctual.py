@@ -1,0 +1,42 @@
+"""Asking the operating system to wake a thread on time.
+
+Linux shares a core by slices of some milliseconds. A thread that sleeps until its deadline and finds another on the
+core may have to wait for the end of that one's slice: with a browser on the same two cores one tick in a hundred was
+1 to 2 ms late. A thread that asks for short slices for itself gets the core at once, and needs no privilege for that.
+"""
+
+import ctypes
+import platform
+import sys
+from typing import ClassVar
+
+SLICE = 100_000  # ns, the shortest that Linux grants
+SCHED_SETATTR = {"x86_64": 314, "aarch64": 274, "riscv64": 274}  # the number of the system call, by machine
+
+
+class _Attributes(ctypes.Structure):
+    """`struct sched_attr` of Linux, sched_setattr(2). For an ordinary thread `runtime` [ns] is its slice."""
+
+    _fields_: ClassVar = [
+        ("size", ctypes.c_uint32),
+        ("policy", ctypes.c_uint32),
+        ("flags", ctypes.c_uint64),
+        ("nice", ctypes.c_int32),
+        ("priority", ctypes.c_uint32),
+        ("runtime", ctypes.c_uint64),
+        ("deadline", ctypes.c_uint64),
+        ("period", ctypes.c_uint64),
+    ]
+
+
+def wake_me_on_time() -> bool:
+    """Ask for short slices for the thread that calls. True if Linux took the request: before 6.12 it changes nothing.
+
+    Elsewhere nothing is asked: Windows and macOS give a thread that wakes the core by themselves.
+    """
+    number = SCHED_SETATTR.get(platform.machine())
+    if sys.platform != "linux" or number is None:
+        return False
+    asked = _Attributes(size=ctypes.sizeof(_Attributes), runtime=SLICE)
+    refused: int = ctypes.CDLL(None).syscall(number, 0, ctypes.byref(asked), 0)
+    return not refused
