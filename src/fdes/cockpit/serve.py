@@ -17,6 +17,7 @@ from fdes.aircraft import load
 from fdes.cockpit.cabins import Cabins
 from fdes.cockpit.fleet import Fleet
 from fdes.cockpit.guard import is_loopback
+from fdes.cockpit.punctual import wake_me_on_time
 from fdes.cockpit.server import application
 from fdes.errors import SpecError
 from fdes.flight.storage import recordings_folder
@@ -100,6 +101,7 @@ class Server(uvicorn.Server):
         await super().startup(sockets)
         gc.collect()
         gc.freeze()  # what is here now stays: collections need not look at it again
+        wake_me_on_time()
         self._when_ready()
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
