@@ -8,6 +8,7 @@ import { Hud } from "./hud.js";
 import { FLAG } from "./link.js";
 import { FrameClock, carryForward } from "./motion.js";
 import { Resolution } from "./resolution.js";
+import { EVERYTHING, NOTHING, RightOfWay } from "./right_of_way.js";
 import { makeWorld } from "./world.js";
 
 export const VIEWS = ["cockpit", "chase", "tower"];
@@ -33,6 +34,8 @@ export class Cockpit {
     this.lastAt = 0;
     this.resized = true;
     this.trimWanted = true;
+    this.way = new RightOfWay(parts.link);
+    this.panelsTurn = false;
     const watch = new ResizeObserver(() => (this.resized = true));
     for (const canvas of [this.hudCanvas, this.instrumentCanvas, this.chartCanvas]) watch.observe(canvas);
     this.link.on("frame", (link) => this.receive(link));
@@ -104,11 +107,13 @@ export class Cockpit {
     if (this.flying) this.link.sendStick(this.held, now);
     if (!this.link.frames || !this.world) return;
     if (this.resized) this.resize();
-    this.draw(now);
+    const share = this.way.next(now);
+    if (share === NOTHING) return;
+    this.draw(now, share);
     this.count(now);
   }
 
-  draw(now) {
+  draw(now, share) {
     const { link, drawn } = this;
     link.copyTo(drawn);
     const resting = link.has(FLAG.frozen | FLAG.ended | FLAG.replay) || !link.alive;
@@ -128,8 +133,11 @@ export class Cockpit {
       this.hud.rememberLoad(drawn.n_z, link.t);
       outside.draw(view, drawn, cam, this.beside, now, ratio, this.words());
     }
-    if (this.stats.frames % 2) this.panel.draw(drawn, ratio); // needles and traces look the same at half the rate
-    else this.chart.draw(this.theme.colors, ratio);
+    if (share === EVERYTHING) {
+      this.panelsTurn = !this.panelsTurn; // needles and traces look the same at half the rate
+      if (this.panelsTurn) this.panel.draw(drawn, ratio);
+      else this.chart.draw(this.theme.colors, ratio);
+    }
     drawn.hudHorizon = this.hud.horizon;
     drawn.worldHorizon = this.world.horizon;
     this.onFrame(drawn);

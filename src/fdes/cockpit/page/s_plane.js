@@ -88,14 +88,16 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
   placeLabels(plane, named, at, { x, width, height }, words);
 }
 
-/** Where the roots have been: one path of dots for each axis of motion. */
+/** Where the roots have been: one path of dots for each axis of motion; roots that fall on one pixel are one dot. */
 function drawTrail(trail, at, clipId) {
   const group = svg("g", { class: "s-trails", "clip-path": `url(#${clipId})` });
   for (const axis of ["longitudinal", "lateral"]) {
-    const dots = trail
-      .filter((mode) => mode.axis === axis)
-      .flatMap(({ eigenvalue: [re, im] }) => (im ? [1, -1] : [1]).map((side) => `M${at.x(re).toFixed(1)} ${at.y(side * im).toFixed(1)}h.01`));
-    if (dots.length) group.append(svg("path", { class: `s-trail s-${axis}`, d: dots.join("") }));
+    const dots = new Set();
+    for (const { axis: own, eigenvalue } of trail) {
+      const [re, im] = eigenvalue;
+      if (own === axis) for (const side of im ? [1, -1] : [1]) dots.add(`M${Math.round(at.x(re))} ${Math.round(at.y(side * im))}h.01`);
+    }
+    if (dots.size) group.append(svg("path", { class: `s-trail s-${axis}`, d: [...dots].join("") }));
   }
   return group;
 }
