@@ -144,6 +144,25 @@ def test_a_ring_keeps_the_newest() -> None:
     assert ring.added == 6
 
 
+def test_handovers_are_those_of_the_last_ticks() -> None:
+    async def fly() -> tuple[int, int]:
+        hub: Hub[Session] = Hub(500)
+        hub.sessions["one"] = Session()
+        enough = asyncio.Event()
+        hub.start(asyncio.get_running_loop(), lambda _: enough.set() if hub.lateness.added > 20 else None)
+        await asyncio.wait_for(enough.wait(), 10.0)
+        hub.sessions.clear()
+        cleared = hub.lateness.added
+        while hub.lateness.added < cleared + 10:  # from now on nothing is shown
+            await asyncio.sleep(0.005)
+        hub.stop()
+        return len(hub.handovers(5)), len(hub.handovers(hub.lateness.added))
+
+    few, all_of_them = asyncio.run(fly())
+    assert few == 0
+    assert all_of_them >= 10
+
+
 def test_percentiles() -> None:
     assert percentiles([]) == (0, 0.0, 0.0)
     assert percentiles(range(1000)) == (1000, 500, 990)

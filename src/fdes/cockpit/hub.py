@@ -87,7 +87,8 @@ class Hub(Generic[S]):
         self.sessions: dict[str, S] = {}
         self.slips = 0
         memory = 60 * rate
-        self.lateness, self.busy, self.handover = Ring(memory), Ring(memory), Ring(memory)
+        self.lateness, self.busy = Ring(memory), Ring(memory)
+        self._handovers, self._handed_over = Ring(memory), Ring(memory)  # how long each took, and in which tick
         self._wakes = Ring(rate + 1)
         self._now, self._sleep = now, sleep
         self._late_until = 0.0
@@ -98,7 +99,8 @@ class Hub(Generic[S]):
         """Begin to tick. `show` is called in the thread of `loop` after each tick with something to show."""
 
         def receive(shown: list[tuple[S, bytes | None]], sent: float) -> None:
-            self.handover.add(self._now() - sent)
+            self._handovers.add(self._now() - sent)
+            self._handed_over.add(self.lateness.added)
             show(shown)
 
         def hand_over(shown: list[tuple[S, bytes | None]]) -> None:
@@ -156,6 +158,12 @@ class Hub(Generic[S]):
             if frame is not None or session.changed:
                 shown.append((session, frame))
         return shown
+
+    def handovers(self, ticks: int) -> list[float]:
+        """How long [s] each frame of the last `ticks` took to the event loop: for that loop's own thread."""
+        taken, when = self._handovers.last(ticks), self._handed_over.last(ticks)
+        first = self.lateness.added - ticks
+        return [seconds for seconds, tick in zip(taken, when, strict=True) if tick >= first]
 
     def real_time_factor(self) -> float:
         """Simulated over real time in the last second: 1 unless the machine cannot keep up."""

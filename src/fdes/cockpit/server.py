@@ -304,8 +304,12 @@ def figures(cabins: Cabins, seconds: float) -> dict[str, Any]:
     """How the server fares: times in ms over the last `seconds`, CPU time in s since the start."""
     hub = cabins.hub
     ticks = int(min(max(seconds, 0.0), 60.0) * hub.rate)
-    rings = {"lateness_ms": hub.lateness, "busy_ms": hub.busy, "handover_ms": hub.handover}
-    measured = {name: percentiles(ring.last(ticks)) for name, ring in rings.items()}
+    times = {
+        "lateness_ms": hub.lateness.last(ticks),
+        "busy_ms": hub.busy.last(ticks),
+        "handover_ms": hub.handovers(ticks),
+    }
+    measured = {name: percentiles(taken) for name, taken in times.items()}
     return {
         **{
             name: {"n": p.n, "p50": round(1e3 * p.p50, 4), "p99": round(1e3 * p.p99, 4)} for name, p in measured.items()
