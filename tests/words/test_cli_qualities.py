@@ -59,6 +59,7 @@ def test_what_one_change_would_do() -> None:
         ("dutch_roll", "Cn_r", 1),
     ]
     assert "dutch roll: Cn_r from -0.35 to -0.691 (x1.97) reaches Level 1" in run("A-4D").stdout
+    assert "short period: Cm_q from 0 to -1.18 reaches Level 2" in run("A-4D", "--set", "Cm_q*=0").stdout
     text = " ".join(run("A-4D", "-c", "M0.8_35kft").stdout.split())
     assert "dutch roll: None of Cy_beta, Cl_beta, Cn_beta, Cn_p, Cn_r alone reaches Level 1 within its range." in text
 

@@ -61,7 +61,7 @@ class Change:
         """What becomes of `value`."""
         if self.operator == "=":
             return self.amount
-        return value * self.amount if self.operator == "*=" else value + self.amount
+        return value * self.amount + 0.0 if self.operator == "*=" else value + self.amount  # never -0.0
 
 
 def edited(condition: FlightCondition, changes: Iterable[str | Change]) -> FlightCondition:
