@@ -91,12 +91,16 @@ class SmallPerturbation(NamedTuple):
 
 def limited(command: Surfaces, limits: Limits) -> Surfaces:
     """The surfaces as far as their stops let them go."""
-    low, high = limits
+    elevator, aileron, rudder, throttle = command
+    (e_low, a_low, r_low, t_low), (e_high, a_high, r_high, t_high) = limits
+    free = e_low <= elevator <= e_high and a_low <= aileron <= a_high and r_low <= rudder <= r_high
+    if free and t_low <= throttle <= t_high:
+        return command
     return Surfaces(
-        min(max(command.elevator, low.elevator), high.elevator),
-        min(max(command.aileron, low.aileron), high.aileron),
-        min(max(command.rudder, low.rudder), high.rudder),
-        min(max(command.throttle, low.throttle), high.throttle),
+        min(max(elevator, e_low), e_high),
+        min(max(aileron, a_low), a_high),
+        min(max(rudder, r_low), r_high),
+        min(max(throttle, t_low), t_high),
     )
 
 
