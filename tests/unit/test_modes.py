@@ -48,6 +48,13 @@ def test_unstable_in_pitch_the_short_period_is_split_and_a_third_oscillation_app
     assert {"short_period", "phugoid", "short_period_fast", "short_period_slow", "third_oscillatory"} <= seen
 
 
+def test_of_what_two_merged_modes_leave_the_faster_half_is_the_short_periods() -> None:
+    """At this point the root at zero has nothing but w in it, and by its share alone it would be the short period."""
+    left = [m for m in modes(edited(load("A-4D").at(), Cm_alpha=0.0, Cm_q=0.0)) if m.axis == "longitudinal"]
+    assert [m.name for m in left] == ["short_period_fast", "third_oscillatory", "phugoid_slow"]
+    assert left[0].eigenvalue == pytest.approx(-1.221, abs=1e-3)
+
+
 def test_unstable_in_yaw_the_dutch_roll_is_split(navion: FlightCondition) -> None:
     assert set(names(edited(navion, Cn_beta=-0.05), "lateral")) == {
         "roll",

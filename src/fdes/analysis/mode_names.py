@@ -26,6 +26,7 @@ FAMILIES: dict[Axis, dict[str, tuple[str, ...]]] = {
     "longitudinal": {"short_period": ("w", "q"), "phugoid": ("u", "theta")},
     "lateral": {"roll": ("p",), "dutch_roll": ("beta", "r"), "spiral": ("phi",)},
 }
+MERGING = tuple(FAMILIES["longitudinal"])  # the faster first
 # The share of the airframe's part of an oscillation that a family must have to call it its own. The phugoid and the
 # short period hardly mix before they merge; roll rate takes part in every Dutch roll.
 OWN = {"short_period": 0.75, "phugoid": 0.75, "dutch_roll": 0.5}
@@ -166,6 +167,10 @@ def _real_roots(placed: list[tuple[str, Root]], families: dict[str, tuple[str, .
     half is real, the other has merged elsewhere: the short period leaves its faster half, the phugoid its slower.
     """
     reals = sorted(placed, key=lambda n: -abs(n[1].value))
+    left = [family for family, _ in reals if family in MERGING]
+    if len(left) == len(set(left)) == 2:  # one half of each
+        in_order = iter(MERGING)
+        reals = [(next(in_order) if family in MERGING else family, root) for family, root in reals]
     all_of_them = [family for family, _ in reals]
     named = []
     for i, (family, root) in enumerate(reals):
