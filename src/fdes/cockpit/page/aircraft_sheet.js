@@ -31,7 +31,7 @@ function facts(aircraft) {
       `aft: elevator ${angle(full.elevator)}; right: aileron ${angle(full.aileron)}; ` +
         `right pedal: rudder ${angle(full.rudder)}`,
     ],
-    ["Equations", `linear, form “${aircraft.form}”, good to 15° from trim`],
+    ["Equations", equations(aircraft)],
     ["Integrator", `${aircraft.integrator}, step 1/${Math.round(1 / aircraft.dt)} s`],
   ];
   return html(
@@ -39,6 +39,11 @@ function facts(aircraft) {
     { class: "sheet" },
     rows.flatMap(([name, value]) => [html("dt", {}, name), html("dd", {}, value)]),
   );
+}
+
+function equations({ plant, form }) {
+  if (plant === "nonlinear") return "nonlinear, six degrees of freedom; modes and Levels of the linearized aircraft";
+  return `linear, form “${form}”, good to 15° from trim`;
 }
 
 const whole = (number) => Math.round(number).toLocaleString("en");

@@ -334,8 +334,11 @@ function limits([low, high], span, old, lines) {
   )
     return old;
   const spare = Math.max(0, span - (high - low)) / 2;
-  const step = roundStep((high - low + 2 * spare) / clamp(lines, 2, 5));
-  return { step, lines, low: Math.floor((low - spare) / step) * step, high: Math.ceil((high + spare) / step) * step };
+  let step = roundStep((high - low + 2 * spare) / clamp(lines, 2, 5));
+  const first = () => Math.floor((low - spare) / step);
+  const last = () => Math.ceil((high + spare) / step);
+  while (last() - first() > Math.max(2, lines)) step = roundStep(1.01 * step); // numbers that touch cannot be read
+  return { step, lines, low: first() * step, high: last() * step };
 }
 
 function roundStep(value) {
