@@ -7,16 +7,19 @@ import { svg } from "./dom.js";
 import { clamp, figure } from "./units.js";
 
 const SLOW = 0.12; // share of the fastest mode's frequency below which a mode goes into the magnified plane
+const FAR = 2; // times the frequency of the aircraft's fastest mode
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**
  * Fills the SVG element `plane`, `width` by `height` px, with `modes` as the server describes them; `trail` are modes as
- * they were before, `bare` the roots [re, im] without control law and actuators. Roots of actuators lie far to the left:
- * the table has them.
+ * they were before, `bare` the roots [re, im] without control law and actuators. Roots of actuators and sensors that lie far
+ * to the left of the aircraft's are left out, for they would press those together: the table has them.
  */
 export function drawSPlane(plane, all, width, height, trail = [], bare = []) {
-  const modes = all.filter(({ name }) => !isActuator(name));
+  const reach = FAR * Math.max(...all.filter(({ name }) => !isEquipment(name)).map(({ omega_n }) => omega_n));
+  const near = ({ name, eigenvalue, omega_n }) => !isEquipment(name) || omega_n < reach || eigenvalue[0] > 0;
+  const modes = all.filter(near);
   plane.setAttribute("viewBox", `0 0 ${width} ${height}`);
   plane.replaceChildren();
   if (!modes.length || width < 60) return;
@@ -25,16 +28,17 @@ export function drawSPlane(plane, all, width, height, trail = [], bare = []) {
   const magnified = slow.length > 0 && slow.length < modes.length;
   const share = magnified ? 0.6 : 1;
   const fast = magnified ? modes.filter((mode) => !slow.includes(mode)) : modes;
-  const [near, far] = [true, false].map((slower) => bare.filter((root) => Math.hypot(...root) < SLOW * fastest === slower));
-  const past = trail.filter(({ name }) => !isActuator(name));
-  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s", trail: past, bare: far });
+  const [slower, faster] = [true, false].map((below) => bare.filter((root) => Math.hypot(...root) < SLOW * fastest === below));
+  const past = trail.filter(near);
+  drawPane(plane, fast, modes, { x: 0, width: width * share - (magnified ? 4 : 0), height, title: "s-plane, rad/s", trail: past, bare: faster });
   if (magnified) {
-    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height, trail: past, bare: near };
+    const pane = { x: width * share + 4, width: width * (1 - share) - 4, height, trail: past, bare: slower };
     drawPane(plane, slow, slow, { ...pane, title: "near the origin" });
   }
 }
 
-const isActuator = (name) => name.includes("_actuator");
+/** Whether a root is that of an actuator, or of a sensor's lag or delay. */
+const isEquipment = (name) => /_actuator|_(lag|delay)(_\d+)?$/.test(name);
 
 function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
   const names = new Set(named.map(({ name }) => name));
@@ -170,8 +174,8 @@ const tidy = (value) => String(Number(value.toPrecision(3)));
 
 /** "short_period" -> "Short period". */
 export function modeName(name) {
-  const words = name.replace(/^(e|a|r)\w+_actuator/, "δ$1 actuator").replaceAll("_", " ");
-  return words[0] === "δ" ? words : words[0].toUpperCase() + words.slice(1);
+  const words = name.replace(/^(e|a|r)\w+_actuator/, "δ$1 actuator").replace(/_(lag|delay)/, " sensor $1").replaceAll("_", " ");
+  return isEquipment(name) ? words : words[0].toUpperCase() + words.slice(1);
 }
 
 function roundStep(value) {
