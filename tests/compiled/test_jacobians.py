@@ -79,7 +79,7 @@ def test_slopes_are_those_of_the_plain_text(name: str, x: State, held: Surfaces,
 
 
 def test_slopes_between_two_conditions() -> None:
-    plant = six_dof_of(load("A-4D").at(across="mach"))
+    plant = six_dof_of(load("A-4D").at(across="mach", spool=True))  # as in test_across_mach.py: compiled once
     x = plant.start()._replace(u=0.5 * (plant.aero.low.mach_0 + plant.aero.high.mach_0) * 330.0, v=5.0, q=0.05)
     assert off(plant, x, Surfaces(-0.05, 0.02, 0.01, 0.4), Air()) < EXACT
 
