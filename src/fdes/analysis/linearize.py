@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import inf
 from typing import Any
 
 import numpy as np
@@ -12,15 +11,15 @@ from fdes.aircraft import FlightCondition
 from fdes.control import LinearModel
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight import plant_of
+from fdes.flight.response import NO_LIMITS
 from fdes.physics.derivatives import Form, Matrices
 from fdes.physics.signals import Air, Outputs, Surfaces, channels
-from fdes.physics.small_perturbation import Limits, PerturbationState
+from fdes.physics.small_perturbation import PerturbationState
 
 STATES = ("u", "w", "q", "theta", "beta", "p", "r", "phi")
 INPUTS = ("elevator", "throttle", "aileron", "rudder")
 _KNOWN = {c.name: c.unit for c in (*channels(PerturbationState), *channels(Surfaces))}
 UNITS = {name: _KNOWN[name] for name in (*STATES, *INPUTS)}
-NO_LIMITS = Limits(Surfaces(-inf, -inf, -inf, -inf), Surfaces(inf, inf, inf, inf))
 AS_THEY_ARE = ("p", "q", "r", "phi")  # states that the plant shows as they are: most of what laws measure
 STEP = 2.0**-7  # of differences, in SI: a power of two, so that what is linear is differentiated without rounding
 

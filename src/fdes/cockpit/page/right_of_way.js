@@ -6,11 +6,13 @@
 
 export const [EVERYTHING, VIEW, NOTHING] = ["everything", "world and head-up display", "nothing"];
 const GAP = 4; // ms in which a message comes through
+const PATIENCE = 150; // ms: an answer that takes longer is not waited for
 const LONGEST = 3; // frames in a row that are not whole: a slider that is dragged asks all the time
 
 export class RightOfWay {
   constructor(link) {
     this.link = link;
+    this.command = { id: 0, at: 0 }; // the newest, and when it was first seen [ms]
     this.asked = false; // in the last frame
     this.rested = 0; // frames in a row
     this.crowded = false; // whether there was no gap since the command
@@ -22,7 +24,9 @@ export class RightOfWay {
 
   /** What of the frame that begins at `now` [ms] is to be drawn. */
   next(now) {
-    const asking = this.link.waiting.size > 0;
+    const { commandId: id, waiting } = this.link;
+    if (id !== this.command.id) this.command = { id, at: now };
+    const asking = waiting.size > 0 && now - this.command.at < PATIENCE;
     const hurried = asking || this.asked; // the frame after the answer shows it
     this.asked = asking;
     this.crowded = hurried && (this.crowded || now - this.freeSince < GAP);
