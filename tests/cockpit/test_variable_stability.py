@@ -137,6 +137,34 @@ def test_a_slider_that_is_dragged_is_one_step_of_undo(page: Any) -> None:
     assert page.locator(".knob.is-changed").count() == 0
 
 
+# What is drawn of each frame, by its first letter. A command is sent before the second frame and answered before the
+# fourth, where there is time between frames and where there is none; and one whose answer takes long.
+RIGHT_OF_WAY = """async () => {
+  const { RightOfWay } = await import("/page/right_of_way.js");
+  const drawn = async (gap, count, answered) => {
+    const link = { waiting: new Map(), commandId: 0 };
+    const way = new RightOfWay(link);
+    let shares = "";
+    for (let k = 0; k < count; k++) {
+      if (k === 1) link.waiting.set(++link.commandId, {});
+      if (k === answered) link.waiting.clear();
+      shares += way.next(performance.now())[0];
+      if (gap) await new Promise((done) => setTimeout(done, gap));
+    }
+    return shares;
+  };
+  return [await drawn(30, 6, 3), await drawn(0, 6, 3), await drawn(30, 16, Infinity)];
+}"""
+
+
+def test_answers_have_the_right_of_way_but_the_picture_never_stands_still(page: Any) -> None:
+    roomy, crowded, slow = page.evaluate(RIGHT_OF_WAY)
+    assert roomy == "ewwwee"  # everything; the view alone until the answer is shown; everything
+    assert crowded == "ennnee"  # or nothing
+    assert "wwww" not in slow
+    assert slow.endswith("eeee")  # an answer that takes long is not waited for
+
+
 def test_what_cannot_be_is_said_and_changes_nothing(page: Any) -> None:
     page.get_by_role("tab", name="Mass, speed").click()
     entry = page.locator("#knob-m")
