@@ -3,6 +3,8 @@
     python benchmarks/realtime.py [--pilots 30] [--seconds 15] [--loads 30] [--plant nonlinear]
 
 Starts `fdes fly` in a process of its own and flies it over WebSockets from this one: both share the computer's cores.
+Each pilot keeps a rhythm of its own, as thirty computers do. Beside the cockpit a third process does nothing but tick:
+where that is late, the computer is, and not the cockpit.
 Prints what was measured beside what is demanded. It judges nothing: gates belong on a quiet computer.
 """
 
@@ -17,9 +19,12 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import AsyncIterator, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from importlib.resources import files
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
@@ -27,10 +32,13 @@ from urllib.request import urlopen
 
 from websockets.asyncio.client import ClientConnection, connect
 
+from fdes.cockpit.hub import RATE, Hub, Percentiles, percentiles
+
 INPUT = struct.Struct("<BBHIdffff")
 HEADER = struct.Struct("<BBHIdIId")
 LOADING = 5.0  # s of flying that page loads are in the middle of
 FRAME_RATE = 60  # Hz, and so often a page sends its stick
+GOLDEN = 0.618034  # of a frame from one pilot's rhythm to the next one's: however many there are, they spread evenly
 
 
 class Row(NamedTuple):
@@ -84,7 +92,7 @@ async def measure(url: str, pilots: int, seconds: float, loads: int) -> list[Row
         alone = await watch(url, seconds)
         delays = flight.delays
     async with flying(url, pilots, seconds):
-        crowd = await watch(url, seconds)
+        crowd, idle = await asyncio.gather(watch(url, seconds), beside(seconds))
         _, during = await asyncio.gather(reload_pages(url, loads, LOADING), watch(url, LOADING))
     return [
         Row(
@@ -94,6 +102,11 @@ async def measure(url: str, pilots: int, seconds: float, loads: int) -> list[Row
         ),
         *lateness("1 pilot", alone, "1 ms"),
         *lateness(f"{pilots} pilots", crowd, "1 ms"),
+        Row(
+            "lateness of a process beside it that only ticks, p50 / p99",
+            f"{1e3 * idle.p50:.2f} / {1e3 * idle.p99:.2f} ms",
+            "-",
+        ),
         *lateness(f"{pilots} pilots, {loads} page loads at once", during, "5 ms"),
         Row("ticks the machine gave up (slips)", str(during["slips"]), "0"),
         Row(f"CPU, {pilots} pilots, all recording", f"{100.0 * crowd['cpu_share']:.0f} % of a core", "25 %"),
@@ -123,12 +136,14 @@ class Flight:
             trim = json.loads(await socket.recv())["aircraft"]["trim_throttle"]
             reading = asyncio.create_task(self.read(socket))
             sequence = 0
+            due = time.perf_counter() + number * GOLDEN % 1.0 / FRAME_RATE
             while not until.is_set():
                 sequence += 1
                 t = sequence / FRAME_RATE
                 roll, pitch = 0.2 * math.sin(2.0 * t + number), 0.02 * math.sin(t)
                 await socket.send(INPUT.pack(2, 1, 0, sequence, 1e3 * time.perf_counter(), pitch, roll, 0.0, trim))
-                await asyncio.sleep(1.0 / FRAME_RATE)
+                due += 1.0 / FRAME_RATE
+                await asyncio.sleep(due - time.perf_counter())
             reading.cancel()
 
     async def read(self, socket: ClientConnection) -> None:
@@ -165,6 +180,20 @@ async def watch(url: str, seconds: float) -> dict[str, Any]:
     await asyncio.sleep(seconds)
     after = await asyncio.to_thread(stats)
     return after | {"cpu_share": (after["cpu_s"] - before["cpu_s"]) / (after["wall_s"] - before["wall_s"])}
+
+
+async def beside(seconds: float) -> Percentiles:
+    """How late the ticks of a hub without sessions are, in a process of its own."""
+    with ProcessPoolExecutor(1, get_context("spawn")) as process:
+        return await asyncio.get_running_loop().run_in_executor(process, tick_alone, seconds)
+
+
+def tick_alone(seconds: float) -> Percentiles:
+    """The lateness of a hub that has nothing to do."""
+    hub: Hub[Any] = Hub()
+    threading.Timer(seconds, hub.stop).start()
+    hub.run(lambda _: None)
+    return percentiles(hub.lateness.last(int(RATE * seconds)))
 
 
 async def reload_pages(url: str, loads: int, seconds: float) -> None:

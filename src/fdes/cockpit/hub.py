@@ -14,7 +14,7 @@ from array import array
 from collections.abc import Callable, Iterable
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
-from fdes.cockpit.punctual import wake_me_on_time
+from fdes.cockpit.punctual import sleep_lightly, wake_me_on_time
 
 RATE = 120  # Hz
 CATCH_UP = 0.25  # s
@@ -81,7 +81,7 @@ class Hub(Generic[S]):
         self,
         rate: int = RATE,
         now: Callable[[], float] = time.perf_counter,
-        sleep: Callable[[float], None] = time.sleep,
+        sleep: Callable[[float], None] = sleep_lightly,
     ) -> None:
         self.rate = rate
         self.sessions: dict[str, S] = {}

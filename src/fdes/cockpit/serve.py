@@ -4,7 +4,6 @@ import errno
 import gc
 import json
 import socket
-import sys
 import threading
 import webbrowser
 from collections.abc import Callable
@@ -24,9 +23,6 @@ from fdes.flight.storage import recordings_folder
 
 PORT = 8010
 EVERYWHERE = ("", "0.0.0.0", "::")  # noqa: S104  recognized here, chosen by the user
-# s: the hub waits at most this long for another thread to give way. While a long CSV is made, Python's own 5 ms made
-# ticks 3 ms late in the median, this 0.7 ms.
-SWITCH_INTERVAL = 0.5e-3
 # Collect when a hundred thousand objects are left over. Frames that wait for the recorders live for a second; to look
 # at them again and again, as Python does by itself, stopped thirty pilots for 50 ms every few seconds.
 GARBAGE = (100_000, 10, 10)
@@ -71,7 +67,6 @@ def serve(
             if open_browser:  # in a thread, for some browsers return only when they are closed
                 threading.Thread(target=webbrowser.open, args=(url,), daemon=True).start()
 
-        sys.setswitchinterval(SWITCH_INTERVAL)
         gc.set_threshold(*GARBAGE)
         config = uvicorn.Config(
             application(cabins, loopback=loopback),
