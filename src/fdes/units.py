@@ -149,7 +149,8 @@ def parse(text: str, si: str) -> float:
     """
     match = _QUANTITY.fullmatch(text)
     if match is None:
-        raise SpecError(f"{text!r} is not a number with a unit. Write it like '15 deg' or '170 kt'.")
+        kind = "number" if si.startswith("1") else f"number with a unit. Write it like '15 {units_of(si)[-1]}'"
+        raise SpecError(f"{text!r} is not a {kind}.")
     number, unit = float(match[1]), match[2] or si
     fitting = units_of(si)
     label, multiplier = _entry(unit, fitting)
@@ -168,5 +169,6 @@ def _entry(unit: str, likely: Iterable[str] = _TO_SI) -> tuple[str, float]:
     if label not in _TO_SI:
         near = nearest(label, likely)
         hint = f" Did you mean {near!r}?" if near else ""
-        raise SpecError(f"Unknown unit {unit!r}.{hint} Known units: {', '.join(likely)}.")
+        known = ", ".join(name for name in likely if name != "1")
+        raise SpecError(f"Unknown unit {unit!r}.{hint} " + (f"Known units: {known}." if known else "It has none."))
     return _TO_SI[label]

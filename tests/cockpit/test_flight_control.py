@@ -117,6 +117,15 @@ def test_gains_by_hand_wishes_and_one_out_of_reach(page: Any) -> None:
     page.wait_for_function("() => document.querySelector('#panel-control .problem').textContent.includes('nonsense')")
 
 
+def test_the_stick_is_flown_by_keys_after_a_law_was_ticked(page: Any) -> None:
+    engage(page, "pitch_rate_pi")
+    assert page.evaluate("() => document.activeElement.type") == "checkbox"
+    assert page.locator("[data-law=pitch_rate_pi] .law-figures").is_visible()
+    page.keyboard.down("ArrowRight")
+    page.wait_for_function("() => window.fdes.drawn.stick_roll > 0.1")
+    page.keyboard.up("ArrowRight")
+
+
 def test_the_diagram_shows_signals_and_surfaces_at_their_limits(page: Any) -> None:
     engage(page, "yaw_damper")
     page.locator("#actuators").check()

@@ -181,7 +181,7 @@ def test_forbidden_storage_breaks_nothing(visit: Any) -> None:
 def test_a_kiosk_an_observer_and_a_replay_have_no_tour(visit: Any) -> None:
     page = visit("&tour=off")
     observer = visit()
-    assert observer.get_by_text("You are watching this flight").is_visible()
+    assert observer.get_by_text("Only watching.").is_visible()
     page.wait_for_timeout(1500)
     assert page.locator(CARD).count() == observer.locator(CARD).count() == 0
     observer.evaluate("() => document.dispatchEvent(new Event('take-tour'))")

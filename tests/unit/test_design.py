@@ -6,10 +6,12 @@ from math import exp
 import numpy as np
 import pytest
 
-from fdes.aircraft import FlightCondition, load
+from fdes.aircraft import FlightCondition, edited, load
 from fdes.analysis import modes
 from fdes.analysis.closed_loop import close
-from fdes.analysis.design import RULES, law_for
+from fdes.analysis.command_settings import FASTEST
+from fdes.analysis.design import law_for
+from fdes.analysis.design_rules import RULES
 from fdes.control.laws.roll_rate_damper import RollRateDamper
 from fdes.control.laws.yaw_damper import YawDamper
 from fdes.errors import NoSuchPart, SpecError
@@ -220,3 +222,51 @@ def test_says_what_is_wrong_with_a_law(a4d: FlightCondition, text: str, error: t
     with pytest.raises(error) as found:
         law_for(text, a4d)
     assert words in str(found.value)
+
+
+@pytest.mark.parametrize(
+    ("aircraft", "change"),
+    [("A-4D", "Cm_alpha=0.6"), ("A-4D", "Cm_alpha=0; Cm_q=0"), ("B747", "Cm_alpha=0.1"), ("F-16", "")],
+)
+def test_the_bare_pi_makes_a_pair_of_what_no_longer_swings(aircraft: str, change: str) -> None:
+    """Of an aircraft with no static stability, or less, the short period is two real roots, of which one may grow."""
+    condition = load(aircraft).at(None)
+    condition = edited(condition, change.split("; ")) if change else condition
+    designed = law_for("pitch_rate_pi", condition)
+    (shown,) = designed.achieved
+    assert shown.continuous == pytest.approx(0.8, rel=1e-6)
+    assert max(m.eigenvalue.real for m in modes(close(condition, designed.law)) if m.axis == "longitudinal") <= 0.0
+
+
+def test_full_stick_commands_a_rate_where_the_bare_aircraft_has_none(a4d: FlightCondition) -> None:
+    """Without maneuver margin the pitch rate of the bare aircraft at full stick grows without limit."""
+    neutral = edited(a4d, ["Cm_alpha=0", "Cm_q=0"])
+    assert law_for("pitch_rate_pi", neutral).gains["pitch_rate_pi"]["full_rate"] == FASTEST
+
+
+@pytest.mark.parametrize("gain", [2.0, 100.0, 1e6])
+def test_a_mode_is_followed_to_the_greatest_gain_and_not_mistaken_for_another(
+    a4d: FlightCondition, gain: float
+) -> None:
+    (shown,) = law_for(f"yaw_damper gain={gain}", a4d).achieved
+    assert shown.designed == 1.0  # it has become two real roots; the short period's zeta is 0.357
+
+
+def test_an_aircraft_without_finite_equations_is_refused(a4d: FlightCondition) -> None:
+    broken = edited(a4d, ["b=1e300 m"])
+    with pytest.raises(SpecError, match=r"A-4D M0.4_SL has no finite equations of motion: a number of it is far too"):
+        modes(broken)
+
+
+def test_behind_slow_sensors_a_mode_is_not_mistaken_for_one_of_the_other_axis(a4d: FlightCondition) -> None:
+    """Without the lag this damper leaves the roll mode 0.154 s; the short period's time constant is 0.855 s."""
+    (slow,) = law_for("roll_rate_damper gain=0.2825; sensors lag=0.3s", a4d).achieved
+    (quick,) = law_for("roll_rate_damper gain=0.2825", a4d).achieved
+    assert quick.continuous == pytest.approx(0.154, abs=5e-4)
+    assert slow.alone == pytest.approx(quick.continuous, rel=1e-6)
+
+
+def test_what_any_gain_makes_worse_is_left_alone(a4d: FlightCondition) -> None:
+    (note,) = law_for("pitch_rate_pi zeta=0.8; sensors lag=0.3s", a4d).notes
+    words = "is out of reach, any gain being worse than the 0.357 of the short period without it: the gain is 0."
+    assert note == f"pitch_rate_pi: zeta 0.8 {words}"

@@ -98,6 +98,14 @@ def test_an_unstable_real_root_doubles(navion: FlightCondition) -> None:
     assert spiral.time_to_double == pytest.approx(math.log(2.0) / spiral.eigenvalue.real)
 
 
+def test_a_root_that_is_zero_but_for_rounding_is_zero() -> None:
+    """With neither static stability nor an effect of speed on the moment, nothing brings the pitch attitude back."""
+    neutral = edited(load("A-4D").at("M0.4_SL"), Cm_alpha=0.0)
+    slow = next(m for m in modes(neutral) if m.name == "phugoid_slow")
+    assert (slow.eigenvalue, slow.omega_n, slow.zeta) == (0j, 0.0, 0.0)
+    assert (slow.time_constant, slow.time_to_half, slow.time_to_double) == (None, None, None)
+
+
 def test_participation_does_not_depend_on_units(navion: FlightCondition) -> None:
     model = linear_model(navion)
     scale = np.diag([1 / 0.3048, 1 / 0.3048, 57.3, 57.3, 57.3, 57.3, 57.3, 57.3])

@@ -43,3 +43,16 @@ def test_says_what_is_wrong(text: str, words: str) -> None:
     with pytest.raises(SpecError) as error:
         parse(text, "rad")
     assert words in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("NaN", "'NaN' is not a number."),
+        ("50%", "Unknown unit '%'. It has none."),
+    ],
+)
+def test_says_what_is_wrong_with_a_pure_number(text: str, words: str) -> None:
+    with pytest.raises(SpecError) as error:
+        parse(text, "1")
+    assert str(error.value) == words

@@ -70,7 +70,7 @@ class Knob:
 
     group: ``longitudinal``, ``lateral`` or ``mass, size and condition``. printed: as in the source, in its unit and
     with its sign; None where the source has no such number. confidence: that it prints just this.
-    assumed: whether no source gives it.
+    assumed: whether no source gives it. tabulated: whether `printed` is the slope of the aircraft's own tables instead.
     """
 
     name: str
@@ -83,6 +83,7 @@ class Knob:
     printed: str | None
     confidence: Confidence | None
     assumed: bool
+    tabulated: bool
 
 
 def knobs(condition: FlightCondition) -> list[Knob]:
@@ -106,6 +107,7 @@ def _knob(condition: FlightCondition, name: str) -> Knob:
         printed=printed,
         confidence=None if given is None else given.confidence,
         assumed=name == "T_max",
+        tabulated=condition.tables is not None and name not in FIGURES,
     )
 
 

@@ -13,9 +13,11 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition
 from fdes.analysis.closed_loop import close
+from fdes.analysis.command_settings import command_settings
+from fdes.analysis.design_rules import PAIR_ZETA, RULES, Rule, fair_wish, wishes_of
 from fdes.analysis.designed import Achieved, Designed
-from fdes.analysis.linearize import linear_model
 from fdes.analysis.margins import without_sensors
+from fdes.analysis.mode_names import decoupled, states_beside
 from fdes.analysis.modes import modes
 from fdes.analysis.placement import Quantity, followed_root, measure, nearest_root, one_gain, stable, two_gains
 from fdes.control import Law, LinearModel
@@ -27,35 +29,17 @@ from fdes.physics.actuators import Actuators
 from fdes.physics.derivatives import Form
 
 FRAME = 1.0 / 120.0  # s: of the cockpit
-PAIR_ZETA = 0.8  # of a pair that is asked for by its speed alone
-
-
-class Rule(NamedTuple):
-    """How a law of the shelf is designed: which of its gains, for which mode, and what one may wish of that."""
-
-    gains: tuple[str, ...]
-    mode: str
-    wishes: tuple[Quantity, ...]
-
-
-RULES = {
-    "pitch_rate_damper": Rule(("gain",), "short_period", ("zeta",)),
-    "pitch_rate_pi": Rule(("gain", "integral_gain"), "short_period", ("zeta", "omega", "time_constant")),
-    "roll_angle": Rule(("gain", "rate_gain"), "roll", ("zeta", "omega", "time_constant")),
-    "roll_rate_damper": Rule(("gain",), "roll", ("time_constant",)),
-    "yaw_damper": Rule(("gain",), "dutch_roll", ("zeta",)),
-    "spiral_stabilization": Rule(("gain",), "spiral", ("time_constant",)),
-}
 
 
 class _Closed(NamedTuple):
-    """One loop closed round those inside it."""
+    """One loop closed round those inside it, and what becomes of the mode: `alone` is without actuators and sensors."""
 
     law: Law
     settings: dict[str, float]
     achieved: Achieved | None
     root: complex
     notes: list[str]
+    alone: complex = 0j
 
 
 class _Around(NamedTuple):
@@ -111,10 +95,10 @@ def law_for(
         notes += closed.notes
         if closed.achieved is None:
             continue
-        s = nearest_root(whole, closed.root)
-        z = nearest_root(flown, s)
-        quantity = closed.achieved.quantity
-        by_itself = measure(nearest_root(alone, closed.root), quantity)
+        mode, quantity = closed.achieved.mode, closed.achieved.quantity
+        s = nearest_root(decoupled(whole, mode), closed.root)
+        z = nearest_root(decoupled(flown, mode), s)
+        by_itself = measure(nearest_root(decoupled(alone, mode), closed.alone), quantity)
         achieved.append(
             replace(closed.achieved, alone=by_itself, continuous=measure(s, quantity), flown=measure(z, quantity))
         )
@@ -153,7 +137,7 @@ def _close_loop(loop: Loop, inner: Law, around: _Around) -> _Closed:
             else f"its {next(n for n in rule.gains if n in settings)} is given"
         )
         raise SpecError(f"{loop.name} cannot be designed for {wish}: {why}. Say the gains, or what you want of them.")
-    settings = _from_aircraft(loop, condition, form) | settings
+    settings = command_settings(loop.name, condition, form) | settings
     if by_hand and rule is not None:
         settings |= {name: 0.0 for name in rule.gains if name not in settings}
     missing = [
@@ -171,22 +155,35 @@ def _close_loop(loop: Loop, inner: Law, around: _Around) -> _Closed:
         law: Law = loop.part(**given, **(settings | gains))
         return law
 
-    def closed(**gains: float) -> LinearModel:
-        return around.close(made(**gains))
-
     if rule is None:
         return _Closed(made(), _all_settings(loop, settings, {}), None, 0j, _notes(made()))
+    beside = states_beside(around.close(made(**dict.fromkeys(rule.gains, 1.0))), rule.mode)
+
+    def closed(**gains: float) -> LinearModel:
+        model = around.close(made(**gains))
+        return model.part(beside, model.inputs)  # a root of the other axis may lie nearer than what is looked for
+
     zero = dict.fromkeys(rule.gains, 0.0)
     without = closed(**zero)
-    begin = nearest_root(without, _root_of(close(condition, made(**zero), dt, form=form), rule.mode))
+    bare = _root_of(close(condition, made(**zero), dt, form=form), rule.mode)
+    begin = nearest_root(without, bare)
+    damped = loop.name == "pitch_rate_pi" and begin.imag != 0.0 and not {"omega", "time_constant"} & set(loop.wishes)
     if by_hand:
         s = followed_root(without, closed(), begin)
-        quantity = rule.wishes[0]
-        shown = _achieved(loop, rule, quantity, None, begin, s, reached=True)
-        return _Closed(made(), _all_settings(loop, settings, {}), shown, s, [])
-    if len(rule.gains) == 1 or (loop.name == "pitch_rate_pi" and not {"omega", "time_constant"} & set(loop.wishes)):
-        return _design_one(loop, rule, begin, closed, made, settings)
-    return _design_two(loop, rule, begin, closed, made, settings)
+        shown = _achieved(loop, rule, rule.wishes[0], None, begin, s, reached=True)
+        done = _Closed(made(), _all_settings(loop, settings, {}), shown, s, [])
+    elif len(rule.gains) == 1 or damped:
+        done = _design_one(loop, rule, begin, closed, made, settings)
+    else:
+        done = _design_two(loop, rule, begin, closed, made, settings)
+    return done._replace(alone=_alone(made(**zero), done.law, bare, rule.mode, around))
+
+
+def _alone(before: Law, after: Law, root: complex, mode: str, around: _Around) -> complex:
+    """What becomes of the mode's root from the law `before` to that `after`, without actuators and sensors."""
+    one, other = (close(around.condition, without_sensors(law), form=around.form) for law in (before, after))
+    states = states_beside(other, mode)
+    return followed_root(one.part(states, one.inputs), other.part(states, other.inputs), root)
 
 
 def _design_one(
@@ -201,7 +198,7 @@ def _design_one(
     gain, *second = rule.gains
     quantity = rule.wishes[0]
     has = measure(begin, quantity)
-    wanted = _wishes(loop, rule).get(quantity) or (PAIR_ZETA if second else _fair(rule.mode, quantity, has))
+    wanted = wishes_of(loop, rule).get(quantity) or (PAIR_ZETA if second else fair_wish(rule.mode, quantity, has))
 
     def gains(k: float) -> dict[str, float]:
         return {gain: k, **{name: 0.5 * abs(begin) * k for name in second}}
@@ -210,9 +207,10 @@ def _design_one(
     notes, unit = [], f" {WISHES[quantity]}".removesuffix(" 1")
     what = f"{loop.name}: {quantity} {wanted:.3g}{unit}"
     if not found.reached and found.gain == 0.0:
-        notes.append(
-            f"{what} is no better than the {has:.3g}{unit} of the {_words(rule.mode)} without it: the gain is 0."
-        )
+        without = f"the {has:.3g}{unit} of the {_words(rule.mode)} without it"
+        better = has <= wanted if quantity == "time_constant" else has >= wanted
+        why = f"is no better than {without}" if better else f"is out of reach, any gain being worse than {without}"
+        notes.append(f"{what} {why}: the gain is 0.")
     elif not found.reached:
         best = measure(found.root, quantity)
         why = (
@@ -238,7 +236,7 @@ def _design_two(
 ) -> _Closed:
     """A pair where it is wanted, with both gains positive: else the nearest natural frequency at which they are."""
     first, second = rule.gains
-    wished = _wishes(loop, rule)
+    wished = wishes_of(loop, rule)
     zeta = wished.get("zeta", PAIR_ZETA)
     if not 0.0 < zeta < 1.0:
         raise SpecError(f"{loop.name} cannot be designed for zeta {zeta:g}: a pair has more than 0 and less than 1.")
@@ -285,43 +283,11 @@ def _achieved(
     return Achieved(loop.name, rule.mode, quantity, WISHES[quantity], wanted, before, has, has, has, has, reached)
 
 
-def _fair(mode: str, quantity: Quantity, has: float) -> float:
-    """What a law named bare is designed for: well damped or quick, and a good deal better than the bare aircraft."""
-    if quantity == "zeta":
-        least = 0.7 if mode == "short_period" else 0.4
-        return min(max(least, 1.5 * has), 0.95)
-    return min(20.0 if mode == "spiral" else 1.0, 0.5 * has)
-
-
 def _notes(law: Law) -> list[str]:
     """What should be known of a law that is not designed."""
     if isinstance(law, Sensors) and not law.measured:
         return ["sensors: the laws said before it measure nothing. Say it last, and it delays what they measure."]
     return []
-
-
-def _wishes(loop: Loop, rule: Rule) -> Mapping[str, float]:
-    for name, value in loop.wishes.items():
-        if name not in rule.wishes:
-            raise SpecError(f"{loop.name} cannot be designed for {name}: it can for {', '.join(rule.wishes)}.")
-        if value <= 0.0:
-            raise SpecError(f"{loop.name} cannot be designed for {name} {value:g}: it must be positive.")
-    if len(rule.gains) == 1 and loop.wishes.get("zeta", 0.0) >= 1.0:
-        raise SpecError(
-            f"{loop.name} cannot be designed for zeta {loop.wishes['zeta']:g}: an oscillation has less than 1."
-        )
-    return loop.wishes
-
-
-def _from_aircraft(loop: Loop, condition: FlightCondition, form: Form) -> dict[str, float]:
-    """What a command law has from the aircraft: the rate of the bare one at full stick, and the elevator's stops."""
-    if loop.name != "pitch_rate_pi":
-        return {}
-    model = linear_model(condition, form)
-    short = model.part(("w", "q"), ("elevator",))
-    rate = -np.linalg.solve(short.A, short.B)[1, 0] * condition.full_stick.elevator
-    limits = condition.limits
-    return {"full_rate": float(abs(rate)), "lower": limits.lower.elevator, "upper": limits.upper.elevator}
 
 
 def _root_of(model: LinearModel, mode: str) -> complex:

@@ -38,6 +38,11 @@ def linear_model(condition: FlightCondition, form: Form = "full", outputs: Seque
         **condition.reference._asdict(),
     }
     model = joined(condition.equations(form), point)
+    if not (np.isfinite(model.A).all() and np.isfinite(model.B).all()):
+        raise SpecError(
+            f"{condition.aircraft_id} {condition.condition} has no finite equations of motion: a number of it is far "
+            "too great or too small."
+        )
     if outputs and set(outputs) <= set(AS_THEY_ARE):  # at once: the cockpit closes loops with each move of a slider
         C = np.array([[float(state == name) for state in STATES] for name in outputs])
         return replace(model, outputs=tuple(outputs), C=C, D=np.zeros((len(outputs), len(INPUTS))))

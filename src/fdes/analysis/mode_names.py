@@ -39,6 +39,7 @@ MERGED = {
     frozenset({"spiral", "dutch_roll"}): "spiral_dutch_roll",
 }
 COUPLED = 1e-12  # below this an entry of A is rounding
+ROUNDING = 1e-13  # of the fastest root, or of the frames in a second: a root below it is zero
 GONE = 1e-4  # of a sampled root: what is less has settled within a frame, and is no mode
 
 
@@ -76,6 +77,18 @@ def named_roots(model: LinearModel) -> list[NamedRoot]:
             found.append(NamedRoot(name, _axis(root) if coupled else axis, root))
     found.sort(key=lambda n: (n.axis == "lateral", -abs(n.root.value)))
     return _numbered(found)
+
+
+def decoupled(model: LinearModel, mode: str) -> LinearModel:
+    """The axis of `model` to which the mode belongs, with what a law remembers; all of it, where a law couples them."""
+    states = states_beside(model, mode)
+    return model.part(states, model.inputs)
+
+
+def states_beside(model: LinearModel, mode: str) -> tuple[str, ...]:
+    """The states of that axis."""
+    axis: Axis = "longitudinal" if mode in FAMILIES["longitudinal"] else "lateral"
+    return _axes_of(model).get(axis, model.states)
 
 
 def _axes_of(model: LinearModel) -> dict[Axis, tuple[str, ...]]:
@@ -211,8 +224,13 @@ def _roots(model: LinearModel, states: tuple[str, ...]) -> list[Root]:
         left = right.conj().T
     weights = np.abs(right * left.T)
     weights /= weights.sum(axis=0)
+    least = ROUNDING * (float(np.abs(values).max()) if model.dt is None else 1.0 / model.dt)
     return [
-        Root(s, {state: float(w) for state, w in zip(states, column, strict=True)}, v.imag > 0.0)
+        Root(
+            s if abs(s) > least else 0j,
+            {state: float(w) for state, w in zip(states, column, strict=True)},
+            v.imag > 0.0,
+        )
         for v, column in zip(values, weights.T, strict=True)
         if v.imag >= 0.0 and (s := _continuous(complex(v), model.dt)) is not None
     ]

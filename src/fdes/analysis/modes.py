@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+
 from fdes.aircraft import FlightCondition
 from fdes.analysis.linearize import linear_model
 from fdes.analysis.mode_names import Axis, NamedRoot, named_roots
@@ -19,7 +21,8 @@ from fdes.physics.derivatives import Form
 class Mode:
     """One natural mode. A complex pair is one mode, given by its eigenvalue with positive imaginary part [rad/s].
 
-    omega_n [rad/s]; zeta, for a real root 1 (stable) or -1 (unstable); times [s], None where they do not apply.
+    omega_n [rad/s]; zeta, for a real root 1 (stable), 0 (neutral) or -1 (unstable); times [s], None where they do not
+    apply.
     participation: share of each state in the mode, adding up to 1.
     """
 
@@ -136,7 +139,7 @@ def _mode(named: NamedRoot) -> Mode:
     name, axis, (value, shares, _) = named
     sigma, omega = value.real, value.imag
     omega_n = abs(value)
-    of_a_real_root = 1.0 if sigma < 0.0 else -1.0
+    of_a_real_root = float(np.sign(-sigma))
     return Mode(
         name=name,
         axis=axis,

@@ -47,8 +47,10 @@ def nearest_root(model: LinearModel, s: complex) -> complex:
 
 def followed_root(without: LinearModel, closed: LinearModel, root: complex) -> complex:
     """What becomes of a root of the loop with gains of zero when they grow together to those of `closed`."""
-    share = np.linspace(0.0, 1.0, STEPS)[:, None, None]
-    roots = continuous_roots(without.A + share * (closed.A - without.A), without.dt)
+    added, dt = closed.A - without.A, without.dt
+    least = REACH[1] * min(1.0, _gain_of_its_size(without.A, added, dt, root))  # a great gain moves it far at first
+    share = np.concatenate([[0.0], np.geomspace(least, 1.0, STEPS)])
+    roots = continuous_roots(without.A + share[:, None, None] * added, dt)
     return nearest_root(closed, complex(_followed(roots, root)[-1]))
 
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition
 from fdes.analysis.closed_loop import close, with_actuators
-from fdes.analysis.design import RULES, law_for
+from fdes.analysis.design import law_for
+from fdes.analysis.design_rules import RULES
 from fdes.analysis.designed import Designed
 from fdes.analysis.linearize import linear_model
 from fdes.control import LinearModel

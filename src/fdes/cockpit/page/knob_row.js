@@ -111,9 +111,10 @@ export class KnobRow {
   }
 }
 
-function origin({ printed, confidence, assumed }) {
+function origin({ printed, confidence, assumed, tabulated }) {
   if (assumed) return "assumed";
   if (printed === null) return "not in the source";
+  if (tabulated) return `${printed.replace("-", "−")} from the tables`;
   return `printed ${printed.replace("-", "−")}${confidence ? `, ${confidence} confidence` : ""}`;
 }
 

@@ -112,6 +112,7 @@ export class LawCard {
     this.last = this.part ?? this.last;
     this.box.checked = now !== null;
     this.element.classList.toggle("is-on", now !== null);
+    const opens = this.body.hidden && now !== null;
     this.body.hidden = now === null;
     if (!now) return;
     for (const [name, { range, input }] of this.gains) {
@@ -133,6 +134,7 @@ export class LawCard {
     if (wanted !== null) write(wish.input, tidy(wanted));
     else for (const { input } of this.wishes.values()) write(input, "");
     this.figures.replaceChildren(...figures(now));
+    if (opens && document.activeElement === this.box) this.element.scrollIntoView({ block: "nearest" });
   }
 
   /** Forgets the gains of another aircraft. */

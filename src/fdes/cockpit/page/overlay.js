@@ -73,14 +73,15 @@ export class Overlay {
     return { box, row: html("label", {}, box, ` ${words}`) };
   }
 
-  /** Opens the dialog with these sets, the first of them the one that the others are compared with. */
-  async open(sets) {
+  /** Opens the dialog with these sets, the others compared with the first, and with signals that `differ` first of all. */
+  async open(sets, differ = []) {
     this.sets = sets.slice(0, MOST);
     const common = this.sets[0].channels.filter(({ name }) =>
       this.sets.every(({ channels }) => channels.some((channel) => channel.name === name)),
     );
     this.channels = new Map(common.map((channel) => [channel.name, channel]));
-    this.names = FIRST.filter((name) => this.channels.has(name)).slice(0, 2);
+    const wanted = [...FIRST.filter((name) => differ.includes(name)), ...FIRST];
+    this.names = [...new Set(wanted)].filter((name) => this.channels.has(name)).slice(0, 2);
     this.signals.replaceChildren(...[0, 1].map((place) => this.select(place)));
     if (!this.dialog.open) this.dialog.showModal();
     await this.load();
@@ -124,7 +125,7 @@ export class Overlay {
         t: t.map((time) => time - starts[i]),
         y: values[name].map((value) => (value === null ? NaN : value * factor)),
       }));
-      return { name, unit: label, series: this.difference.box.checked ? differences(series) : series };
+      return { name, symbol: symbol(name), unit: label, series: this.difference.box.checked ? differences(series) : series };
     });
     this.chart.show(this.lanes);
     this.showReadings();

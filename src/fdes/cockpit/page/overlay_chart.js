@@ -24,7 +24,7 @@ export class OverlayChart {
     });
   }
 
-  /** `lanes`: [{ name, unit, series: [{ label, t, y }] }], times in s, y in `unit`. */
+  /** `lanes`: [{ symbol, unit, series: [{ label, t, y }] }], times in s, y in `unit`. */
   show(lanes) {
     this.lanes = lanes;
     const times = lanes.flatMap(({ series }) => series.filter(({ t }) => t.length));
@@ -72,7 +72,7 @@ export class OverlayChart {
   }
 }
 
-function drawLane(context, { name, unit, series }, { ink, x, right, top, bottom }) {
+function drawLane(context, { symbol, unit, series }, { ink, x, right, top, bottom }) {
   context.fillStyle = ink("plot");
   context.fillRect(LEFT, top, right - LEFT, bottom - top);
   let [low, high] = [Infinity, -Infinity];
@@ -96,7 +96,7 @@ function drawLane(context, { name, unit, series }, { ink, x, right, top, bottom 
   }
   context.fillStyle = ink("ink");
   context.textAlign = "left";
-  context.fillText(`${name.replaceAll("_", " ")}, ${unit}`, LEFT, top - 9);
+  context.fillText(`${symbol}, ${unit}`, LEFT, top - 9);
   context.lineWidth = 1.7;
   series.forEach(({ t, y }, i) => {
     context.strokeStyle = ink(`series-${i + 1}`);

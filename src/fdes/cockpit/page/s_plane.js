@@ -9,6 +9,7 @@ import { clamp, figure } from "./units.js";
 const SLOW = 0.12; // share of the fastest mode's frequency below which a mode goes into the magnified plane
 const FAR = 2; // times the frequency of the aircraft's fastest mode
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
+const LEAST_APART = 30; // px from number to number along the real axis
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**
@@ -81,7 +82,8 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
     words.push([at.x(0), at.x(0) + 22, at.y(im) - 5, at.y(im) + 4]);
   }
-  const across = roundStep(-left / 2.4);
+  let across = roundStep(-left / 2.4);
+  if (across * sx < LEAST_APART) across *= 2;
   for (let re = across; at.x(-re) > x + 14; re += across) {
     plane.append(svg("text", { class: "s-number s-middle", x: at.x(-re), y: at.y(0) + 10 }, tidy(-re)));
     words.push([at.x(-re) - 11, at.x(-re) + 11, at.y(0) + 2, at.y(0) + 11]);

@@ -36,12 +36,14 @@ const FINGERS = "(pointer: coarse)"; // the first pointer of this device
 const MOUSE_FLIES = "Mouse stick: the pointer over the world flies. M or Escape ends it.";
 const TOUCH_FLIES = "Fingers fly: stick at the right, throttle and rudder at the left.";
 
-const TYPING = "input, select, textarea, [contenteditable], dialog";
-const USES_ARROWS = "[role=tab]";
+const TYPING = "input:not([type=checkbox], [type=range]), select, textarea, [contenteditable], dialog";
+const MOVES = { "[role=tab]": /^(Arrow|Home|End)/, "input[type=range]": /^(Arrow|Home|End|Page)/ }; // keys they take
 
 /** Whether a key event belongs to the element that has the focus, or to the browser, rather than to the cockpit. */
 export function isTaken(event) {
-  return event.ctrlKey || event.altKey || event.metaKey || Boolean(event.target.closest?.(TYPING));
+  const within = (what) => Boolean(event.target.closest?.(what));
+  const moved = Object.entries(MOVES).some(([what, keys]) => keys.test(event.code) && within(what));
+  return event.ctrlKey || event.altKey || event.metaKey || moved || within(TYPING);
 }
 
 export class StickInput {
@@ -78,7 +80,6 @@ export class StickInput {
     this.gentle = event.shiftKey;
     if (this.switchesMouse(event)) return;
     if (!KEYS[event.code] || isTaken(event)) return;
-    if (event.code.startsWith("Arrow") && event.target.closest?.(USES_ARROWS)) return;
     event.preventDefault();
     this.held.add(event.code);
     this.notice();

@@ -53,7 +53,7 @@ export class TopBar {
     const lateness = `99 % of the steps less than ${status.lateness_p99_ms.toFixed(1)} ms late; ${status.slips} slips`;
     byId("pace").title = `Real-time factor: simulated seconds in a second. ${lateness}.`;
     write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
-    this.announce(status.notice);
+    if (!status.replay) this.announce(status.notice);
     this.flags = null;
   }
 

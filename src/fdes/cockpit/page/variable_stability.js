@@ -26,7 +26,7 @@ export class VariableStability {
     this.edits.onChange = (stability) => this.show(stability);
     this.search = html("input", {
       type: "search",
-      placeholder: "Find, such as Cm_q or damping",
+      placeholder: "Find, such as Cm_q",
       "aria-label": "Find a number by its name or meaning",
       oninput: () => this.find(),
     });

@@ -174,15 +174,15 @@ export class WhatIf {
         html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "Signal"), head)),
         html("tbody", {}, body, html("tr", {}, html("th", { scope: "row" }, "Flight"), ends)),
       ),
-      button("Overlay in charts", () => this.overlay(flown.map((one) => [one.name, name(one)]))),
+      button("Overlay in charts", () => this.overlay(flown.map((one) => [one.name, name(one)]), signals)),
     );
   }
 
-  async overlay(variants) {
+  async overlay(variants, differ) {
     const { Overlay, recordingSet } = await import("./overlay.js");
     this.charts ??= new Overlay();
     const all = [[this.name, "Recording"], ...variants]; // it draws as many as it has colors for
-    await this.charts.open(await Promise.all(all.map(([name, label]) => recordingSet(name, label))));
+    await this.charts.open(await Promise.all(all.map(([name, label]) => recordingSet(name, label))), differ);
   }
 
   /** The recording plays, and the variant flies beside it, seen from behind. */
