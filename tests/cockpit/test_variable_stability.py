@@ -132,6 +132,10 @@ def test_a_slider_that_is_dragged_is_one_step_of_undo(page: Any) -> None:
     stability = told(page, "stability")
     assert len(stability["changes"]) == 1
     assert stability["undo"] == 1
+    page.keyboard.down("ArrowDown")
+    page.wait_for_function("() => window.fdes.drawn.stick_pitch > 0.05")  # the keys fly again, and move no slider
+    page.keyboard.up("ArrowDown")
+    assert told(page, "stability")["changes"] == stability["changes"]
     page.get_by_role("button", name="Undo").click()
     page.wait_for_function("() => window.fdes.link.latest.get('stability').changes.length === 0")
     assert page.locator(".knob.is-changed").count() == 0
@@ -174,6 +178,22 @@ def test_what_cannot_be_is_said_and_changes_nothing(page: Any) -> None:
         "() => document.querySelector('#panel-stability > .problem').textContent.includes('greater')"
     )
     assert told(page, "stability")["changes"] == []
+
+
+def test_the_value_of_the_file_typed_again_is_no_change(page: Any) -> None:
+    as_in_file = page.locator("#knob-Cm_q").input_value()
+    enter(page, "Cm_q", "-1.8")
+    entry = page.locator("#knob-Cm_q")
+    entry.fill(as_in_file)
+    entry.press("Enter")
+    page.wait_for_function("() => window.fdes.link.latest.get('stability').changes.length === 0")
+
+
+def test_a_link_that_holds_nothing_says_so_and_flies_all_the_same(page: Any, cockpit: str) -> None:
+    other = page.context.new_page()
+    other.goto(f"{cockpit}/?world=canvas2d&session=broken#experiment=%25%25")
+    other.get_by_text("The link holds no experiment that can be read").wait_for()
+    other.wait_for_function("() => window.fdes.stats.frames > 5")
 
 
 def test_the_saved_file_and_the_link_fly_the_same(page: Any, cockpit: str, tmp_path: Path) -> None:

@@ -211,3 +211,9 @@ def test_sensors_cost_the_loop_its_damping_in_the_verdict() -> None:
         for text in (law, law.rpartition(";")[0])
     )
     assert (prompt["level"], late["level"]) == (1, 4)
+
+
+def test_a_loop_that_makes_a_mode_grow_is_noted() -> None:
+    result = CliRunner().invoke(app, ["qualities", "A-4D", "--law", "yaw_damper gain=100"], prog_name="fdes")
+    assert result.exit_code == 0
+    assert "Note: With these gains the closed loop has a mode that grows faster than any" in result.stderr

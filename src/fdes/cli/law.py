@@ -30,7 +30,12 @@ def show_law(designed: "Designed") -> None:
             said = [number(v, DIGITS) if v is None or abs(v) < 1e9 else "none" for v in values]
             drawn.add_row(a.law, f"{a.mode.replace('_', ' ')}, {a.quantity.replace('_', ' ')}{unit}", *said)
         show.print(drawn)
-    for sentence in designed.notes:
+    show_notes(designed)
+
+
+def show_notes(designed: "Designed | None") -> None:
+    """Say what should be known of a law; nothing of none."""
+    for sentence in designed.notes if designed else ():
         note(sentence)
 
 

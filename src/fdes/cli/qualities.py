@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from fdes.cli.law import show_notes
 from fdes.cli.options import (
     AsJson,
     Changes,
@@ -168,6 +169,7 @@ def qualities(
     _show(title, role, verdicts)
     _show_improvements(better, hopeless)
     _show_written(target)
+    show_notes(designed)
 
 
 def _check(known: dict[str, float]) -> None:

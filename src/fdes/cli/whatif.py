@@ -117,7 +117,7 @@ def _show(recorded: "Recording", label: str, again: "Reflight", units: str) -> N
     if not found and frames == len(recorded.data):
         screen().print(f"{label}: {frames} frames, bit for bit as they were recorded.")
     else:
-        drawn = table("signal", "unit", "greatest difference", "at t [s]", "rms", title=label)
+        drawn = table("signal", "unit", "greatest difference", "after [s]", "rms", title=label)
         drawn.columns[1].justify = "left"
         for name, si, apart, t, rms in found:
             unit, factor = UNIT_SYSTEMS[units].get(si, (si, 1.0))

@@ -223,8 +223,9 @@ def _same_shape(pattern: Any, values: Any) -> bool:
 
 
 def differences(one: Recording, other: Recording) -> Iterator[tuple[str, str, float, float, float]]:
-    """Name, unit, greatest difference, its time [s] and root mean square of each output that differs, in SI.
+    """Name, unit, greatest difference, its time and root mean square of each output that differs, in SI.
 
+    The time is that since the recording began, as the clock of a replay has it.
     Both are compared as long as both last, `other` minus `one`.
     """
     count = min(len(one.data), len(other.data))
@@ -236,4 +237,4 @@ def differences(one: Recording, other: Recording) -> Iterator[tuple[str, str, fl
         k = int(np.argmax(np.abs(apart))) if count else 0
         if count and apart[k] != 0.0:
             rms = float(np.sqrt(np.mean(apart**2)))
-            yield channel.name, channel.unit, float(apart[k]), float(one["t"][k]), rms
+            yield channel.name, channel.unit, float(apart[k]), float(one["t"][k] - one["t"][0]), rms

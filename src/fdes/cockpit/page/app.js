@@ -55,7 +55,7 @@ new ControlChooser(byId("control"), stick, (sentence) => topBar.say(sentence));
 const indicator = new StickIndicator(byId("stick"));
 const modes = new ModesPanel(byId("s-plane"), byId("modes-table"), byId("static-figures"));
 const recordings = new RecordingsPanel(byId("panel-recordings"), command);
-const replayBar = new ReplayBar(byId("replay"), command);
+const replayBar = new ReplayBar(byId("replay"), command, () => setTimeout(sayWhereItStands, 300));
 let picker = null; // fetched when it is opened
 const chooser = new SignalChooser(byId("chooser"), chart);
 let [inputs, laboratory] = [null, null]; // what few open on their first visit is fetched when it is opened
@@ -157,6 +157,8 @@ async function setUpGamepad() {
 document.addEventListener("set-up-gamepad", setUpGamepad);
 
 /** Sends a command; a refusal is shown to the user. Resolves to whether it was done. */
+const sayWhereItStands = () => link.has(FLAG.frozen) && !link.has(FLAG.ended) && topBar.say("Back in the flight, frozen where it was. F flies on.");
+
 async function command(name, fields) {
   try {
     await link.command(name, fields);
@@ -227,8 +229,8 @@ for (const dialog of document.querySelectorAll("dialog")) {
 
 /** An experiment in the address is flown once, when the seat of the pilot has been taken. */
 async function openShared() {
-  const shared = location.hash.match(/^#experiment=([\w-]+)$/)?.[1];
-  if (!shared || !pilot) return;
+  const shared = location.hash.match(/^#experiment=(.*)$/)?.[1];
+  if (shared === undefined || !pilot) return;
   history.replaceState(null, "", location.pathname + location.search);
   const { textOf } = await import("./experiment_files.js");
   try {

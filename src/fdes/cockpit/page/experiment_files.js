@@ -5,10 +5,14 @@ import { button, row } from "./fields.js";
 
 const LARGEST = 60000; // bytes: the server takes no larger message
 
-/** Text from the base64url of a link. */
+/** Text from the base64url of a link. Throws an Error that says so when it is none. */
 export function textOf(code) {
-  const bytes = atob(code.replaceAll("-", "+").replaceAll("_", "/"));
-  return new TextDecoder().decode(Uint8Array.from(bytes, (letter) => letter.charCodeAt(0)));
+  try {
+    const bytes = atob(code.replaceAll("-", "+").replaceAll("_", "/"));
+    return new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(bytes, (letter) => letter.charCodeAt(0)));
+  } catch {
+    throw new Error("The link holds no experiment that can be read: it may have been cut off or changed on its way.");
+  }
 }
 
 function codeOf(text) {
@@ -44,6 +48,7 @@ class FilesDialog {
         row([this.file, button("New aircraft…", () => this.newAircraft())]),
         html("h3", {}, html("label", { for: "experiment-link" }, "Share by a link that reopens the experiment")),
         html("div", { class: "link-row" }, this.address, button("Copy", () => this.copy())),
+        html("p", { class: "quiet-words" }, "It opens wherever FDES is served at this address; elsewhere, save the experiment and open the file."),
         this.said,
       ),
     );

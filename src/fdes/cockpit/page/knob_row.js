@@ -97,7 +97,9 @@ export class KnobRow {
 
   /** A center of gravity that the source does not give can only be shifted. */
   send(text, value, dragging) {
-    this.edits.set(`${this.knob.name}${this.knob.shifts ? "+=" : "="}${text}`, dragging);
+    const asInFile = value !== null && this.words(value) === this.words(this.knob.value);
+    if (asInFile && !dragging && !this.knob.shifts) this.edits.reset(this.knob.name);
+    else this.edits.set(`${this.knob.name}${this.knob.shifts ? "+=" : "="}${text}`, dragging);
     if (value !== null) this.entry.value = this.words(value);
   }
 

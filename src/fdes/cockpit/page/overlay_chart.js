@@ -1,6 +1,6 @@
 /** The overlay's chart: one lane for each signal, one line for each flight, and a line that reads them at a time. */
 
-import { clamp } from "./units.js";
+import { clamp, roundStep } from "./units.js";
 
 const LEFT = 58; // px for the numbers of the axis
 const RIGHT = 12;
@@ -114,9 +114,4 @@ function drawLane(context, { symbol, unit, series }, { ink, x, right, top, botto
     context.stroke();
   });
   context.setLineDash([]);
-}
-
-function roundStep(value) {
-  const power = 10 ** Math.floor(Math.log10(value));
-  return ([1, 2, 5].find((lead) => value / power <= lead * 1.0001) ?? 10) * power;
 }

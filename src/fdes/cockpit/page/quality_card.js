@@ -7,7 +7,7 @@ import { fetchStyle, html, svg } from "./dom.js";
 import { choice } from "./fields.js";
 import { levelSentence, levelWord } from "./levels.js";
 import { modeName } from "./s_plane.js";
-import { clamp, figure } from "./units.js";
+import { clamp, figure, roundStep } from "./units.js";
 
 const CLASSES = ["I", "II-L", "II-C", "III", "IV"];
 const CATEGORIES = ["A", "B", "C"];
@@ -129,7 +129,11 @@ function draw({ title, reference, x, y, boundaries, point, level }, path) {
 const titled = ({ label, unit }) => (unit === "1" ? label : `${label}, ${unit}`);
 
 function ticks({ low, high, log }) {
-  if (!log) return [0, 1, 2, 3, 4].map((k) => Number(figure(low + ((high - low) * k) / 4, 2)));
+  if (!log) {
+    const step = roundStep((high - low) / 4);
+    const first = Math.ceil(low / step - 1e-9);
+    return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(3)));
+  }
   const found = [];
   for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
     for (const lead of high / low > 50 ? [1] : [1, 2, 5]) {

@@ -164,7 +164,8 @@ const size = (bytes) => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} 
 
 /** The bar over the world while a recording plays: where it is, and a way out. */
 export class ReplayBar {
-  constructor(bar, command) {
+  /** `left()` is called when somebody has gone back to the flight. */
+  constructor(bar, command, left) {
     this.bar = bar;
     this.slider = bar.querySelector("input");
     this.clock = bar.querySelector("output");
@@ -174,7 +175,7 @@ export class ReplayBar {
       command("seek", { t: Number(this.slider.value) });
     });
     this.slider.addEventListener("change", () => (this.held = false));
-    bar.querySelector("button").addEventListener("click", () => command("stop_replay"));
+    bar.querySelector("button").addEventListener("click", async () => (await command("stop_replay")) && left());
   }
 
   /** `replay` as in the status message, or null. */

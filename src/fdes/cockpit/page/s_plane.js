@@ -9,7 +9,7 @@ import { clamp, figure } from "./units.js";
 const SLOW = 0.12; // share of the fastest mode's frequency below which a mode goes into the magnified plane
 const FAR = 2; // times the frequency of the aircraft's fastest mode
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
-const LEAST_APART = 30; // px from number to number along the real axis
+const LEAST_APART = 36; // px from number to number along the real axis
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**

@@ -46,6 +46,11 @@ export function isTaken(event) {
   return event.ctrlKey || event.altKey || event.metaKey || moved || within(TYPING);
 }
 
+/** A slider that was dragged has done its work: the keys fly again. One that was reached by keys keeps them. */
+function giveBackKeys(target) {
+  if (target.matches?.("input[type=range]") && !target.closest("dialog")) target.blur();
+}
+
 export class StickInput {
   constructor() {
     this.held = new Set();
@@ -73,6 +78,7 @@ export class StickInput {
       this.gentle = event.shiftKey;
     });
     addEventListener("blur", () => this.release());
+    addEventListener("pointerup", ({ target }) => setTimeout(() => giveBackKeys(target)));
     this.mouse.view.addEventListener("pointerdown", (event) => this.meetFinger(event));
   }
 

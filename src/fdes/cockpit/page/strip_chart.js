@@ -3,7 +3,7 @@
  * its past. Point at the chart to read values at an earlier time; while time stands still a slider goes further back.
  */
 
-import { clamp, shown } from "./units.js";
+import { clamp, roundStep, shown } from "./units.js";
 
 const SECONDS = 20;
 const KEPT = 120; // s
@@ -339,10 +339,4 @@ function limits([low, high], span, old, lines) {
   const last = () => Math.ceil((high + spare) / step);
   while (last() - first() > Math.max(2, lines)) step = roundStep(1.01 * step); // numbers that touch cannot be read
   return { step, lines, low: first() * step, high: last() * step };
-}
-
-function roundStep(value) {
-  const power = 10 ** Math.floor(Math.log10(value || 1));
-  const lead = value / power;
-  return (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10) * power;
 }

@@ -20,6 +20,12 @@ export const compass = (radians) => ((degrees(radians) % 360) + 360) % 360;
 /** An angle [rad] brought to -pi..pi. */
 export const halfTurn = (radians) => radians - 2 * Math.PI * Math.round(radians / (2 * Math.PI));
 
+/** The least of 1, 2, 5, 10, ... that is not below `value`: what an axis counts by. */
+export function roundStep(value) {
+  const power = 10 ** Math.floor(Math.log10(value || 1));
+  return ([1, 2, 5].find((lead) => value / power <= lead * 1.0001) ?? 10) * power;
+}
+
 export const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 
 /** SI unit -> what a chart shows: label, factor to multiply by, and the smallest span worth an axis. */
