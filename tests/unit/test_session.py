@@ -57,6 +57,28 @@ def test_sixty_frames_a_second_and_ten_when_frozen(session: Session) -> None:
     assert len(ticks(session, 120)) == pytest.approx(10, abs=1)
 
 
+def test_a_lever_that_stands_where_the_aircraft_before_had_it_disturbs_nothing(session: Session) -> None:
+    """The page needs some frames to learn of the other aircraft and to put its lever where that is in trim."""
+    navion = make_craft(load("NAVION").at())
+    session.change(navion)
+    assert abs(navion.trim_throttle - TRIM) > 0.1
+    assert session.put(stick()) is False, "nobody moved a control"
+    ticks(session, 12)
+    assert session._sortie.frame.stick.throttle == navion.trim_throttle
+    session.put(stick(throttle=navion.trim_throttle))
+    assert session.put(stick(throttle=TRIM)) is True, "now it is moved"
+    ticks(session, 2)
+    assert session._sortie.frame.stick.throttle == TRIM
+
+
+def test_a_lever_that_is_not_put_in_trim_is_believed_after_half_a_second(session: Session) -> None:
+    session.change(make_craft(load("NAVION").at()))
+    ticks(session, 65)
+    session.put(stick())
+    ticks(session, 2)
+    assert session._sortie.frame.stick.throttle == TRIM
+
+
 def test_a_frame_goes_with_the_tick_that_flies_an_input(session: Session) -> None:
     sent = []
     for number in range(40):

@@ -186,7 +186,7 @@ class Session:
         """Fly another craft. A recording of the present one ends."""
         with self._lock:
             self._sortie.release("aircraft changed")
-            self._sortie = Sortie(craft, Stick(throttle=craft.trim_throttle))
+            self._sortie = Sortie(craft, Stick(throttle=craft.trim_throttle), placed=False)
             self._owed = 0.0
             self._replay = None
             self._show = self.changed = True

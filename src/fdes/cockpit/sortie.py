@@ -30,6 +30,7 @@ SLOWEST = 1.0  # m/s
 MOVED = 0.005  # how far a control must go from where it was at the start to count as moved
 LONGEST_RECORDING = 3600.0  # s: some 200 MB
 MOST_INPUTS = 64  # under way at once: each costs time in every frame
+PLACING = 0.5  # s: how long a page may take to put its throttle lever where another aircraft is in trim
 AGAIN = "Press R to start again."
 TOO_FAR = (
     "The flight was too far from undisturbed flight for the linear plant: "
@@ -43,9 +44,10 @@ class Sortie:
     `notice` is what the pilot should read: why the flight ended, or why it is no longer recorded.
     """
 
-    def __init__(self, craft: Craft, stick: Stick) -> None:
-        """Begin, with the controls where `stick` has them."""
+    def __init__(self, craft: Craft, stick: Stick, *, placed: bool = True) -> None:
+        """Begin, with the controls where `stick` has them, and the pilot's throttle lever too if it is `placed`."""
         self.craft = craft
+        self._placed = placed
         self.announced = True  # whether the recording says what flies
         self._aloft = craft  # what flew in the newest frame
         self.frozen = False
@@ -72,11 +74,18 @@ class Sortie:
 
     def take(self, given: Input) -> bool:
         """Take an input. True when it is the first that moves a control."""
+        given = self._as_placed(given)
         self.given = given
         if self.touched or all(abs(a - b) <= MOVED for a, b in zip(given.stick, self._rest, strict=True)):
             return False
         self.touched = True
         return True
+
+    def _as_placed(self, given: Input) -> Input:
+        """`given`, or with the throttle in trim while the lever still stands where the aircraft before had it."""
+        rest = self._rest.throttle
+        self._placed = self._placed or self.frame.t > PLACING or abs(given.stick.throttle - rest) <= MOVED
+        return given if self._placed else given._replace(stick=given.stick._replace(throttle=rest))
 
     def advance(self) -> None:
         """Fly one frame, which may be the last."""

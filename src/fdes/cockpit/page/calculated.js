@@ -2,6 +2,7 @@
 
 import { html } from "./dom.js";
 import { choice, number, row } from "./fields.js";
+import { symbol } from "./strip_chart.js";
 import { FOOT, KNOT, figure } from "./units.js";
 
 const KINDS = [
@@ -95,12 +96,12 @@ function matrices(title, { states, inputs, A, B }) {
       "table",
       { class: "number" },
       html("caption", {}, title),
-      html("thead", {}, html("tr", {}, html("td", {}), head.map((name) => html("th", { scope: "col" }, name)))),
+      html("thead", {}, html("tr", {}, html("td", {}), head.map((name) => html("th", { scope: "col" }, symbol(name))))),
       html(
         "tbody",
         {},
         states.map((name, i) =>
-          html("tr", {}, html("th", { scope: "row" }, `d${name}/dt`), [...A[i], ...B[i]].map((x) => html("td", {}, figure(x, 4)))),
+          html("tr", {}, html("th", { scope: "row" }, `d${symbol(name)}/dt`), [...A[i], ...B[i]].map((x) => html("td", {}, figure(x, 4)))),
         ),
       ),
     ),

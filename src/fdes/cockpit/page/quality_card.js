@@ -130,7 +130,7 @@ const titled = ({ label, unit }) => (unit === "1" ? label : `${label}, ${unit}`)
 
 function ticks({ low, high, log }) {
   if (!log) {
-    const step = roundStep((high - low) / 4);
+    const step = roundStep((high - low) / 5);
     const first = Math.ceil(low / step - 1e-9);
     return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(3)));
   }
