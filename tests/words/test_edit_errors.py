@@ -13,8 +13,8 @@ from fdes.errors import FdesError
     [
         ("Cm_alpa=-0.3", "There is no number of the A-4D named 'Cm_alpa'. Did you mean 'Cm_alpha'?"),
         ("Cm_alpha", "The change 'Cm_alpha' is not understood. Write it like Cm_alpha=-0.3, Cn_r*=2 or 'm+=500 kg'."),
-        ("Cm_alpha=much", "The change 'Cm_alpha=much' cannot be read. 'much' is not a number with a unit."),
-        ("Cm_alpha=nan", "The change 'Cm_alpha=nan' cannot be read. 'nan' is not a number with a unit."),
+        ("Cm_alpha=much", "The change 'Cm_alpha=much' cannot be read. 'much' is not a number."),
+        ("Cm_alpha=nan", "The change 'Cm_alpha=nan' cannot be read. 'nan' is not a number."),
         ("Cm_q=1e999", "'1e999' is not a finite number."),
         ("m=8000", "The change 'm=8000' has no unit: m is in kg. Write it like 'm=8000 kg'."),
         ("m=8000 ft", "'8000 ft' is in ft, which is not a unit of this quantity. Use one of: kg, lb, slug."),
