@@ -60,7 +60,7 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
 
   const grid = svg("g", { class: "s-grid", "clip-path": `url(#${clipId})` });
   grid.append(svg("rect", { class: "s-unstable", x: at.x(0), y: 0, width: Math.max(0, x + width - at.x(0)), height }));
-  const step = roundStep(top / 2);
+  const step = nearestStep(top / 2);
   for (let r = step; r < 1.6 * Math.hypot(left, top); r += step)
     grid.append(svg("ellipse", { cx: at.x(0), cy: at.y(0), rx: r * sx, ry: r * sy }));
   for (const zeta of DAMPING) {
@@ -82,7 +82,7 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
     words.push([at.x(0), at.x(0) + 22, at.y(im) - 5, at.y(im) + 4]);
   }
-  let across = roundStep(-left / 2.4);
+  let across = nearestStep(-left / 2.4);
   if (across * sx < LEAST_APART) across *= 2;
   for (let re = across; at.x(-re) > x + 14; re += across) {
     plane.append(svg("text", { class: "s-number s-middle", x: at.x(-re), y: at.y(0) + 10 }, tidy(-re)));
@@ -180,7 +180,7 @@ export function modeName(name) {
   return isEquipment(name) ? words : words[0].toUpperCase() + words.slice(1);
 }
 
-function roundStep(value) {
+function nearestStep(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const lead = value / power;
   return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
