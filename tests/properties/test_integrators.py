@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from fdes.physics.integrators.rk4 import rk4
 from fdes.physics.runge_kutta import Tableau, Vector, stability_function, step
 from fdes.shelf import shelf
 
@@ -56,22 +55,26 @@ def test_linear_step_is_the_stability_function(name: str, z: complex) -> None:
     assert complex(*step(linear, (1.0, 0.0), 1.0, tableau)) == pytest.approx(stability_function(tableau, z))
 
 
-@given(some.lists(some.tuples(*[some.floats(-1e3, 1e3)] * 3), min_size=1, max_size=12), some.floats(1e-3, 1.0))
-def test_four_slopes_in_one_pass_give_the_same_to_the_last_bit(numbers: list[tuple[float, ...]], h: float) -> None:
-    """The classical method written out, one slope after the other."""
+@pytest.mark.parametrize("name", NAMES)
+@given(
+    numbers=some.lists(some.tuples(*[some.floats(-1e3, 1e3)] * 3), min_size=1, max_size=14),
+    h=some.floats(1e-3, 1.0),
+)
+def test_a_step_is_that_of_plain_loops_to_the_last_bit(name: str, numbers: list[tuple[float, ...]], h: float) -> None:
+    """Every method as the textbook has it, one slope after the other."""
+    tableau: Tableau = shelf("integrators").get(name)
     y, rate, shift = zip(*numbers, strict=True)
 
     def f(x: Vector) -> Vector:
         return tuple(r * v + s for r, v, s in zip(rate, x, shift, strict=True))
 
-    def on(x: Vector, step_: float, slope: Vector) -> Vector:
-        return tuple(v + step_ * s for v, s in zip(x, slope, strict=True))
+    def on(weights: Vector, slopes: list[Vector]) -> Vector:
+        x = y
+        for weight, slope in zip(weights, slopes, strict=False):
+            x = tuple(v + h * weight * s for v, s in zip(x, slope, strict=True))
+        return x
 
-    k1 = f(y)
-    k2 = f(on(y, h * 0.5, k1))
-    k3 = f(on(y, h * 0.5, k2))
-    k4 = f(on(y, h * 1.0, k3))
-    expected = y
-    for weight, slope in zip(rk4.b, (k1, k2, k3, k4), strict=True):
-        expected = on(expected, h * weight, slope)
-    assert step(f, y, h, rk4) == expected
+    slopes: list[Vector] = []
+    for row in tableau.a:
+        slopes.append(f(on(row, slopes)))
+    assert step(f, y, h, tableau) == on(tableau.b, slopes)

@@ -65,6 +65,18 @@ def test_ticks_fall_on_absolute_deadlines() -> None:
     assert machine.hub.real_time_factor() == pytest.approx(1.0, abs=1e-3)
 
 
+def test_lateness_is_judged_once_a_second() -> None:
+    machine = Machine(sleeps=150, at=120, stall=0.05)
+    machine.run()
+    assert machine.hub.lateness_p99() == pytest.approx(0.04, abs=1e-9)  # the second latest of 150: 50 ms, 40, 30 ...
+    machine.hub.lateness.add(9.0)
+    machine.hub.lateness.add(9.0)
+    assert machine.hub.lateness_p99() == pytest.approx(0.04, abs=1e-9)
+    for _ in range(100):
+        machine.hub.lateness.add(9.0)
+    assert machine.hub.lateness_p99() == 9.0
+
+
 def test_a_short_stall_is_caught_up() -> None:
     machine = Machine(sleeps=100, at=20, stall=CATCH_UP - 0.02)
     session = machine.hub.sessions["one"] = Session()

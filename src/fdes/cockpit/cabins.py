@@ -16,7 +16,7 @@ from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import excite
 from fdes.cockpit.experiment import experiment_of, opened
 from fdes.cockpit.fleet import Fleet, craft_of
-from fdes.cockpit.hub import RATE, Hub, percentiles
+from fdes.cockpit.hub import RATE, Hub
 from fdes.cockpit.laboratory import Editing, laboratory, ready, wanted
 from fdes.cockpit.reflights import Reflights
 from fdes.cockpit.replay import replay_of
@@ -31,7 +31,6 @@ MAX_VIEWERS = 16  # per session
 GRACE = 10.0  # s that a session waits, standing still, for someone to come back
 PARTING = 0.5  # s
 LARGEST_REPLAY = 300e6  # bytes
-RECENT = 10 * RATE  # ticks over which lateness is judged
 
 Exciting = commands.PutIn | commands.PutInHistory | commands.Hold
 Choosing = commands.ChooseAircraft | commands.Equations | commands.OpenAircraft | commands.OpenExperiment
@@ -207,7 +206,7 @@ class Cabins:
             "type": "status",
             **cabin.session.status(),
             "real_time_factor": self.hub.real_time_factor(),
-            "lateness_p99_ms": round(1e3 * percentiles(self.hub.lateness.last(RECENT)).p99, 3),
+            "lateness_p99_ms": round(1e3 * self.hub.lateness_p99(), 3),
             "slips": self.hub.slips,
             "viewers": len(cabin.viewers),
         }

@@ -18,6 +18,7 @@ from fdes.cockpit.punctual import sleep_lightly, wake_me_on_time
 
 RATE = 120  # Hz
 CATCH_UP = 0.25  # s
+RECENT = 10  # s over which lateness is judged
 NOTICEABLE = 1.0 / 60.0  # s: a lateness that costs a frame on the screen
 
 log = logging.getLogger(__name__)
@@ -90,6 +91,7 @@ class Hub(Generic[S]):
         self.lateness, self.busy = Ring(memory), Ring(memory)
         self._handovers, self._handed_over = Ring(memory), Ring(memory)  # how long each took, and in which tick
         self._wakes = Ring(rate + 1)
+        self._judged = -1, 0.0  # in which second, and the lateness p99 then
         self._now, self._sleep = now, sleep
         self._late_until = 0.0
         self._stopping = threading.Event()
@@ -164,6 +166,16 @@ class Hub(Generic[S]):
         taken, when = self._handovers.last(ticks), self._handed_over.last(ticks)
         first = self.lateness.added - ticks
         return [seconds for seconds, tick in zip(taken, when, strict=True) if tick >= first]
+
+    def lateness_p99(self) -> float:
+        """The 99th percentile of the lateness [s] in the last `RECENT` seconds: for the event loop's thread.
+
+        Sorted once a second and not for every session that tells it, for that would keep the interpreter from ticks.
+        """
+        second = self.lateness.added // self.rate
+        if self._judged[0] != second:
+            self._judged = second, percentiles(self.lateness.last(RECENT * self.rate)).p99
+        return self._judged[1]
 
     def real_time_factor(self) -> float:
         """Simulated over real time in the last second: 1 unless the machine cannot keep up."""

@@ -87,22 +87,24 @@ def unpack_input(data: bytes) -> Input:
     """Read an input frame, the stick limited to its travel. Raises SpecError when it is none."""
     if len(data) != _INPUT.size:
         raise SpecError(f"An input frame has {_INPUT.size} bytes; {len(data)} came.")
-    kind, version, _, sequence, stamp, *controls = _INPUT.unpack(data)
-    if (kind, version) != (INPUT_TYPE, VERSION):
+    kind, version, _, sequence, stamp, pitch, roll, yaw, throttle = _INPUT.unpack(data)
+    if kind != INPUT_TYPE or version != VERSION:
         raise SpecError(
             f"The binary message has type {kind} and version {version}; an input frame has {INPUT_TYPE} and {VERSION}."
         )
-    if not (isfinite(stamp) and all(map(isfinite, controls))):
+    if not isfinite(stamp + pitch + roll + yaw + throttle):  # of float32, and no sum of four overflows a float
         raise SpecError(
             "The input frame holds a number that is not finite. Center the stick and check its calibration."
         )
-    pitch, roll, yaw = (min(max(v, -1.0), 1.0) for v in controls[:3])
-    return Input(Stick(pitch, roll, yaw, min(max(controls[3], 0.0), 1.0)), sequence, stamp)
+    stick = Stick(
+        min(max(pitch, -1.0), 1.0), min(max(roll, -1.0), 1.0), min(max(yaw, -1.0), 1.0), min(max(throttle, 0.0), 1.0)
+    )
+    return Input(stick, sequence, stamp)
 
 
 def is_command(data: bytes) -> bool:
     """Whether a binary message is meant as a command: a measured history, or a document."""
-    return data[:1] in {bytes([HISTORY_TYPE]), bytes([DOCUMENT_TYPE])}
+    return len(data) > 0 and data[0] in (HISTORY_TYPE, DOCUMENT_TYPE)
 
 
 def unpack_command(data: bytes) -> tuple[int, Command]:

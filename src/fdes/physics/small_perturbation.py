@@ -5,6 +5,7 @@ honest to about 15 degrees from the reference condition (Mansor and Perumal, sec
 how far it is.
 """
 
+from collections.abc import Callable
 from typing import Annotated, NamedTuple
 
 from fdes.elementary import atan2, cos, dot, each, largest, sin, sqrt
@@ -106,55 +107,49 @@ def limited(command: Surfaces, limits: Limits) -> Surfaces:
 
 def derivative(plant: SmallPerturbation, x: PerturbationState, held: Surfaces, air: Air) -> PerturbationState:
     """Equations 2.1 and 2.2 in whichever form, then the kinematics."""
-    return PerturbationState(*_slope(plant, x, _forcing(plant, held, air), air))
+    return PerturbationState(*_rates(plant, held, air)(x))
 
 
-def _forcing(plant: SmallPerturbation, held: Surfaces, air: Air) -> Vector:
-    """What surfaces and gusts add to the rates of u, w, q, beta, p and r: the same for all stages of a step.
+def _rates(plant: SmallPerturbation, held: Surfaces, air: Air) -> Callable[[Vector], Vector]:
+    """dx/dt as a function of the state alone: what surfaces and gusts add is the same for all stages of a step.
 
-    A gust is felt by the aerodynamics as the opposite motion of the aircraft.
+    A gust is felt by the aerodynamics as the opposite motion of the aircraft. Plain tuples, in the order of the state:
+    this is the innermost loop, and records take twice as long.
     """
+    ref = plant.reference
     A, B, Alat, Blat = plant.matrices
-    (xu, xw, _, _), (zu, zw, _, _), (mu, mw, _, _), _ = A
+    (xu, xw, xq, xt), (zu, zw, zq, zt), (mu, mw, mq, mt), _ = A
     (xe, xT), (ze, zT), (me, mT), _ = B
-    (yb, _, _, _), (lb, _, _, _), (nb, _, _, _), _ = Alat
+    (yb, yp, yr, yf), (lb, lp, lr, lf), (nb, np, nr, nf), (_, hp, hr, _) = Alat
     (ya, yd), (la, ld), (na, nd), _ = Blat
     de, da, dr, throttle = held
     dT = throttle - plant.trim_throttle
-    ug, wg, bg = air.gust_u, air.gust_w, air.gust_v / plant.reference.V
-    return (
-        xe * de + xT * dT - xu * ug - xw * wg,
-        ze * de + zT * dT - zu * ug - zw * wg,
-        me * de + mT * dT - mu * ug - mw * wg,
-        ya * da + yd * dr - yb * bg,
-        la * da + ld * dr - lb * bg,
-        na * da + nd * dr - nb * bg,
-    )
+    _, _, _, ug, vg, wg = air
+    bg = vg / ref.V
+    fu = xe * de + xT * dT - xu * ug - xw * wg
+    fw = ze * de + zT * dT - zu * ug - zw * wg
+    fq = me * de + mT * dT - mu * ug - mw * wg
+    fb = ya * da + yd * dr - yb * bg
+    fp = la * da + ld * dr - lb * bg
+    fr = na * da + nd * dr - nb * bg
+    level = cos(ref.gamma)
 
+    def rates(x: Vector) -> Vector:
+        u, w, q, theta, beta, p, r, phi, psi, _, _, _ = x
+        return (
+            xu * u + xw * w + xq * q + xt * theta + fu,
+            zu * u + zw * w + zq * q + zt * theta + fw,
+            mu * u + mw * w + mq * q + mt * theta + fq,
+            q,
+            yb * beta + yp * p + yr * r + yf * phi + fb,
+            lb * beta + lp * p + lr * r + lf * phi + fp,
+            nb * beta + np * p + nr * r + nf * phi + fr,
+            hp * p + hr * r,
+            r / level,
+            *_velocity(ref, u, w, theta, psi + beta, air),
+        )
 
-def _slope(plant: SmallPerturbation, x: Vector, forcing: Vector, air: Air) -> Vector:
-    """dx/dt, in the order of the state. Plain tuples: this is the innermost loop, and records take twice as long."""
-    u, w, q, theta, beta, p, r, phi, psi, _, _, _ = x
-    fu, fw, fq, fb, fp, fr = forcing
-    A, _, Alat, _ = plant.matrices
-    (xu, xw, xq, xt), (zu, zw, zq, zt), (mu, mw, mq, mt), _ = A
-    (yb, yp, yr, yf), (lb, lp, lr, lf), (nb, np, nr, nf), (_, hp, hr, _) = Alat
-    ref = plant.reference
-    north, east, up = _velocity(ref, u, w, theta, psi + beta, air)
-    return (
-        xu * u + xw * w + xq * q + xt * theta + fu,
-        zu * u + zw * w + zq * q + zt * theta + fw,
-        mu * u + mw * w + mq * q + mt * theta + fq,
-        q,
-        yb * beta + yp * p + yr * r + yf * phi + fb,
-        lb * beta + lp * p + lr * r + lf * phi + fp,
-        nb * beta + np * p + nr * r + nf * phi + fr,
-        hp * p + hr * r,
-        r / cos(ref.gamma),
-        north,
-        east,
-        up,
-    )
+    return rates
 
 
 def _velocity(ref: Reference, u: float, w: float, theta: float, chi: float, air: Air) -> tuple[float, float, float]:
@@ -168,48 +163,29 @@ def _velocity(ref: Reference, u: float, w: float, theta: float, chi: float, air:
 def observe(plant: SmallPerturbation, x: PerturbationState, held: Surfaces, air: Air) -> Outputs:
     """The outputs of one instant. Rates and load factors are along the plant's stability axes."""
     ref = plant.reference
-    dx = derivative(plant, x, held, air)
+    du, dw, q_dot, _, dbeta, p_dot, r_dot, _, psi_dot, to_north, to_east, h_dot = _rates(plant, held, air)(x)
     u, v, w = ref.V + x.u - air.gust_u, ref.V * x.beta - air.gust_v, x.w - air.gust_w
     V = sqrt(u * u + v * v + w * w)
     a = ref.V / ref.mach
     mach = V / a
-    p = ref.rho * a * a / GAMMA_AIR
+    static = ref.rho * a * a / GAMMA_AIR
+    cas = each(lambda m: calibrated_airspeed(impact_pressure(m, static)), mach)
     d_alpha = atan2(w, u)
     beta = atan2(v, sqrt(u * u + w * w))
+    level, steep = cos(ref.gamma), sin(ref.gamma)
+    n_x = (du + ref.g * level * x.theta) / ref.g + steep
+    n_y = ref.V * (dbeta + x.r) / ref.g - level * x.phi
+    n_z = level - steep * x.theta - (dw - ref.V * x.q) / ref.g
+    # By position: by name they take three times as long, and this is done in every frame.
     return Outputs(
-        V=V,
-        mach=mach,
-        cas=each(lambda m: calibrated_airspeed(impact_pressure(m, p)), mach),
-        eas=equivalent_airspeed(V, ref.rho),
-        qbar=0.5 * ref.rho * V * V,
-        alpha=ref.alpha + d_alpha,
-        beta=beta,
-        gamma=ref.gamma + x.theta - x.w / ref.V,
-        chi=atan2(dx.east, dx.north),
-        phi=x.phi,
-        theta=ref.alpha + ref.gamma + x.theta,
-        psi=x.psi,
-        p=x.p,
-        q=x.q,
-        r=x.r,
-        p_dot=dx.p,
-        q_dot=dx.q,
-        r_dot=dx.r,
-        psi_dot=dx.psi,
-        n_x=(dx.u + ref.g * cos(ref.gamma) * x.theta) / ref.g + sin(ref.gamma),
-        n_y=ref.V * (dx.beta + x.r) / ref.g - cos(ref.gamma) * x.phi,
-        n_z=cos(ref.gamma) - sin(ref.gamma) * x.theta - (dx.w - ref.V * x.q) / ref.g,
-        h=x.h,
-        h_dot=dx.h,
-        north=x.north,
-        east=x.east,
-        ground_speed=sqrt(dx.north * dx.north + dx.east * dx.east),
-        elevator=held.elevator,
-        aileron=held.aileron,
-        rudder=held.rudder,
-        throttle=held.throttle,
-        excursion=largest(abs(d_alpha), abs(beta), abs(x.theta), abs(x.phi)),
-    )
+        V, mach, cas, equivalent_airspeed(V, ref.rho), 0.5 * ref.rho * V * V,
+        ref.alpha + d_alpha, beta, ref.gamma + x.theta - x.w / ref.V, atan2(to_east, to_north),
+        x.phi, ref.alpha + ref.gamma + x.theta, x.psi,
+        x.p, x.q, x.r, p_dot, q_dot, r_dot, psi_dot, n_x, n_y, n_z,
+        x.h, h_dot, x.north, x.east, sqrt(to_north * to_north + to_east * to_east),
+        held.elevator, held.aileron, held.rudder, held.throttle,
+        largest(abs(d_alpha), abs(beta), abs(x.theta), abs(x.phi)),
+    )  # fmt: skip
 
 
 def advance(
@@ -222,11 +198,7 @@ def advance(
             x = _held(plant, method, x, command, air)
         return x
 
-    forcing = _forcing(plant, command, air)
-
-    def f(y: Vector) -> Vector:
-        return _slope(plant, y, forcing, air)
-
+    f = _rates(plant, command, air)
     y: Vector = x
     for _ in range(substeps):
         y = step(f, y, dt / substeps, method)
