@@ -64,8 +64,20 @@ def test_unstable_in_yaw_the_dutch_roll_is_split(navion: FlightCondition) -> Non
     }
 
 
-def test_with_much_dihedral_and_yaw_due_to_roll_roll_and_spiral_merge(navion: FlightCondition) -> None:
-    assert "roll_spiral" in names(edited(navion, Cn_p=0.3, Cl_beta=-0.3, Cn_r=-0.5), "lateral")
+def test_with_much_dihedral_and_little_roll_damping_roll_and_spiral_merge(navion: FlightCondition) -> None:
+    much = edited(navion, Cl_p=-0.1, Cn_p=0.1, Cl_beta=-0.12, Cn_r=-0.25, Cl_r=0.0, Cn_beta=0.15)
+    assert names(much, "lateral") == ["dutch_roll", "roll_spiral"]
+
+
+def test_without_weathercock_stability_yaw_joins_roll_and_sideslip_joins_bank() -> None:
+    """Neither oscillation is a Dutch roll, and as Cn_beta falls their names do not change places."""
+    a4d = load("A-4D").at()
+    assert set(names(edited(a4d, Cn_beta=0.01), "lateral")) == {"roll", "dutch_roll_fast", "spiral_dutch_roll"}
+    for unstable in (0.005, 0.0, -0.01, -0.03):
+        found = {m.name: m.eigenvalue for m in modes(edited(a4d, Cn_beta=unstable)) if m.axis == "lateral"}
+        assert set(found) == {"roll_dutch_roll", "spiral_dutch_roll"}
+        assert found["roll_dutch_roll"].real < -1.0
+        assert found["spiral_dutch_roll"].real > 0.0
 
 
 @pytest.mark.parametrize("name", ["Cm_alpha", "Cm_q", "Cn_beta", "Cl_p", "Cl_beta", "Cn_r"])

@@ -21,7 +21,7 @@ from fdes.analysis.improvement import Adjustable, adjustables, gains, improvemen
 from fdes.analysis.measured import Measured, measure, n_alpha, phi_beta
 from fdes.analysis.qualities import assess, charts, judge
 from fdes.analysis.quality_charts import as_drawing, spaced
-from fdes.analysis.verdict import Verdict
+from fdes.analysis.verdict import WORSE, Verdict
 from fdes.control import Law, LinearModel
 from fdes.errors import NoSuchPart, SpecError
 from fdes.physics.actuators import Actuator, Actuators
@@ -69,7 +69,7 @@ def test_a_short_period_with_an_unstable_root_is_worse_than_level_3() -> None:
     assert found.value < 0.0
     assert found.unit == "1/(g s^2)"
     assert "two real roots, -2 and 0.5 1/s. That of 0.5 grows: it doubles in 1.39 s" in found.reason
-    assert "omega_sp^2 = -1 (rad/s)^2, the product of its two real roots" in found.reason
+    assert "omega_sp^2 = -1 (rad/s)^2, the product of its roots" in found.reason
     assert "omega_sp -" not in found.reason
     (phugoid,) = assess(model, IV_A, criteria=["mil_f_8785c_phugoid"])
     assert phugoid.value == pytest.approx(math.log(2.0) / 0.5)
@@ -102,6 +102,27 @@ def test_a_phugoid_that_has_merged_is_judged_as_the_third_oscillation() -> None:
     assert first.level is None
     assert "third oscillatory" in first.reason
     assert "third oscillation, which is judged here" in second.reason
+
+
+@pytest.mark.parametrize(
+    ("Cn_beta", "level", "said"),
+    [
+        (0.01, 2, "Dutch roll and spiral have merged in one oscillation, which is judged here. Damping governs"),
+        (-0.01, WORSE, "zeta_dr is -0.383"),
+        (-0.05, WORSE, "Half of the dutch roll has merged with the roll, the other half, 0.97 1/s, grows"),
+    ],
+)
+def test_a_dutch_roll_that_has_merged_is_judged_all_the_same(Cn_beta: float, level: int, said: str) -> None:
+    verdicts = {v.mode: v for v in assess(edited(A4D, [f"Cn_beta={Cn_beta}"]), IV_A)}
+    assert verdicts["dutch_roll"].level == level
+    assert said in verdicts["dutch_roll"].reason
+
+
+def test_what_a_mode_has_become_part_of_is_told_with_its_growth() -> None:
+    verdicts = {v.mode: v for v in assess(edited(A4D, ["Cn_beta=0"]), IV_A)}
+    assert verdicts["roll"].reason.endswith("part of another mode (roll dutch roll).")
+    assert verdicts["spiral"].reason.endswith("(spiral dutch roll, unstable: it doubles in 6.13 s).")
+    assert verdicts["roll_spiral"].reason == "Roll and spiral do not form a mode together."
 
 
 def test_overdamped_modes_keep_their_frequency_and_damping() -> None:

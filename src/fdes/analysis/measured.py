@@ -21,14 +21,14 @@ LN2 = math.log(2.0)
 
 
 def frequency_in_words(symbol: str, omega: float) -> str:
-    """A natural frequency [rad/s], or where `omega` is negative omega^2, the product of the two real roots.
+    """A natural frequency [rad/s], or where `omega` is negative omega^2, the product of its roots.
 
     >>> frequency_in_words("omega_sp", -1.06)
-    'omega_sp^2 = -1.12 (rad/s)^2, the product of its two real roots'
+    'omega_sp^2 = -1.12 (rad/s)^2, the product of its roots'
     """
     if omega > 0.0:
         return f"{symbol} {omega:.3g} rad/s"
-    return f"{symbol}^2 = {-omega * omega:.3g} (rad/s)^2, the product of its two real roots"
+    return f"{symbol}^2 = {-omega * omega:.3g} (rad/s)^2, the product of its roots"
 
 
 @dataclass(frozen=True)
@@ -84,12 +84,15 @@ def measure(
     missing: dict[str, str] = {}
     notes: dict[str, str] = {}
     short_period, missing["omega_sp"] = _pair("short_period", named, notes)
-    dutch_roll, missing["omega_dr"] = _pair("dutch_roll", named, notes)
+    after_yaw = _after_yaw(named)
+    dutch_roll, missing["omega_dr"] = _dutch_roll(after_yaw, named, notes)
     phugoid, missing["zeta_ph"] = _phugoid(named, notes)
     missing["zeta_sp"], missing["zeta_dr"] = missing["omega_sp"], missing["omega_dr"]
     roll, spiral, coupled = (named.get(name) for name in ("roll", "spiral", "roll_spiral"))
     missing["tau_roll"], missing["t2_spiral"] = _gone("roll", named), _gone("spiral", named)
-    missing["damping_rs"] = "Roll and spiral are separate modes." if coupled is None else ""
+    if coupled is None:
+        apart = roll is not None and spiral is not None
+        missing["damping_rs"] = f"Roll and spiral {'are separate modes' if apart else 'do not form a mode together'}."
     missing["delay"] = "The model has no actuator and no computer between stick and surface: give their delay."
     parts = delays_of(model)
     if delay is None and parts:
@@ -103,7 +106,7 @@ def measure(
         t2_speed=_speed_divergence(named),
         omega_dr=dutch_roll and dutch_roll.omega,
         zeta_dr=dutch_roll and dutch_roll.zeta,
-        phi_beta=phi_beta(model, named["dutch_roll"].eigenvalue) if "dutch_roll" in named else None,
+        phi_beta=None if after_yaw is None else phi_beta(model, after_yaw.eigenvalue),
         tau_roll=None if roll is None else -1.0 / _away_from_zero(roll.eigenvalue.real),
         t2_spiral=None if spiral is None else _t2(spiral.eigenvalue.real),
         damping_rs=None if coupled is None else -coupled.eigenvalue.real,
@@ -176,7 +179,7 @@ def phi_beta(model: LinearModel, eigenvalue: complex) -> float | None:
 def _pair(family: str, named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
     """The second-order motion of a family, or why there is none."""
     if family in named:
-        return Pair(named[family].omega_n, named[family].zeta), ""
+        return _as_pair(named[family]), ""
     fast, slow = named.get(f"{family}_fast"), named.get(f"{family}_slow")
     if fast is None or slow is None:
         return None, _gone(family, named)
@@ -196,9 +199,24 @@ def _gone(name: str, named: Mapping[str, Mode]) -> str:
     """Why a mode is not there."""
     if name in named:
         return ""
+    into = [
+        _with_growth(other, mode)
+        for other, mode in named.items()
+        if other == "third_oscillatory" or _plain(name) in _plain(other)
+    ]
     words = name.replace("_", " ")
-    into = [other.replace("_", " ") for other in named if other == "third_oscillatory" or name in other]
-    return f"There is no {words}: it has become part of another mode ({', '.join(into) or 'none of the usual'})."
+    return f"There is no {words}: it has become part of another mode ({'; '.join(into) or 'none of the usual'})."
+
+
+def _plain(name: str) -> str:
+    """A name in which the Dutch roll is no roll."""
+    return name.replace("dutch_roll", "dutch")
+
+
+def _with_growth(name: str, mode: Mode) -> str:
+    """The name of a mode in words, and how fast it grows if it does."""
+    grows = "" if mode.time_to_double is None else f", unstable: it doubles in {mode.time_to_double:.3g} s"
+    return name.replace("_", " ") + grows
 
 
 def _phugoid(named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
@@ -207,7 +225,38 @@ def _phugoid(named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | N
     if merged is None:
         return _pair("phugoid", named, notes)
     notes["phugoid"] = "Phugoid and short period have merged in a third oscillation, which is judged here."
-    return Pair(merged.omega_n, merged.zeta), ""
+    return _as_pair(merged), ""
+
+
+def _after_yaw(named: Mapping[str, Mode]) -> Mode | None:
+    """The oscillation that follows a yaw disturbance: the Dutch roll or, of what it has merged into, the worst damped.
+
+    MIL-F-8785C, paragraph 3.3.1.1, asks it of the lateral-directional oscillations, whatever they are made of.
+    """
+    if "dutch_roll" in named:
+        return named["dutch_roll"]
+    merged = [named[name] for name in ("roll_dutch_roll", "spiral_dutch_roll") if name in named]
+    return min(merged, key=lambda mode: mode.zeta, default=None)
+
+
+def _dutch_roll(after_yaw: Mode | None, named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
+    """The Dutch roll, or what it has become part of, or why there is neither."""
+    if after_yaw is None or after_yaw.name == "dutch_roll":
+        return _pair("dutch_roll", named, notes)
+    other = after_yaw.name.removesuffix("_dutch_roll")
+    growing = named["dutch_roll_fast"].eigenvalue.real if "dutch_roll_fast" in named else 0.0
+    if growing > NEUTRAL:
+        notes["dutch_roll"] = (
+            f"Half of the dutch roll has merged with the {other}, the other half, {growing:.3g} 1/s, grows: "
+            f"it doubles in {LN2 / growing:.3g} s, with no oscillation."
+        )
+        return Pair(-math.sqrt(growing * after_yaw.omega_n), None), "Half of the dutch roll is unstable."
+    notes["dutch_roll"] = f"Dutch roll and {other} have merged in one oscillation, which is judged here."
+    return _as_pair(after_yaw), ""
+
+
+def _as_pair(mode: Mode) -> Pair:
+    return Pair(mode.omega_n, mode.zeta)
 
 
 def _doubling(pair: Pair | None) -> float | None:

@@ -129,22 +129,35 @@ def _families(states: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
 def _named(roots: list[Root], families: dict[str, tuple[str, ...]]) -> list[tuple[str, Root]]:
     """Give each root a place in a family, oscillations first, the purest of them before the others."""
     places = [family for family, states in families.items() for _ in states]
+    pairs = [root for root in roots if root.pair]
+    airframe = {s for axis in FAMILIES.values() for family in axis if family in families for s in families[family]}
 
     def share(family: str, root: Root) -> float:
         return sum(root.shares[s] for s in families[family])
 
     def is_own(family: str, root: Root) -> bool:
-        """Whether the family has enough of the airframe's part, or of all where it is no family of the airframe."""
+        """Whether the family has enough of the airframe's part, or of all where it is no family of the airframe.
+
+        And no other oscillation would be the better half of it: with Cn_beta about zero yaw rate oscillates with roll
+        rate, and sideslip with bank; neither is a Dutch roll.
+        """
         if family not in OWN:
             return share(family, root) >= OWN_OF_OTHERS
-        airframe = sum(share(f, root) for axis in FAMILIES.values() for f in axis if f in families)
-        return share(family, root) >= OWN[family] * airframe
+        return share(family, root) >= OWN[family] * airframes(root) and not any(
+            root.shares[state] + other.shares[theirs] < root.shares[theirs] + other.shares[state]
+            for other in pairs
+            for state in families[family]
+            for theirs in airframe - set(families[family])
+        )
+
+    def airframes(root: Root) -> float:
+        return sum(root.shares[state] for state in airframe)
 
     def most_of_its_own(root: Root) -> float:
         return max(share(f, root) for f, states in families.items() if len(states) == 2)
 
     named: list[tuple[str, Root]] = []
-    for pair in sorted((r for r in roots if r.pair), key=most_of_its_own, reverse=True):
+    for pair in sorted(pairs, key=most_of_its_own, reverse=True):
         first, *others = sorted(dict.fromkeys(places), key=lambda f: share(f, pair), reverse=True)
         own = places.count(first) >= 2 and (not others or is_own(first, pair))
         taken = (first, first) if own else (first, others[0])
