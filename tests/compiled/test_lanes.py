@@ -46,7 +46,7 @@ def test_lanes_agree_with_the_c_library(
 
 def test_what_physics_may_ask_for_exists_in_lanes() -> None:
     """But for what takes rows and columns of numbers, which a kernel does not."""
-    of_columns = {"dot", "each"}
+    of_columns = {"combined", "dot", "each"}
     assert set(elementary.__all__) - of_columns <= set(vars(lanes))
 
 
