@@ -141,6 +141,16 @@ def test_half_the_gain_at_which_something_else_grows_is_the_limit() -> None:
     assert "grows faster" in twice.notes[0]
 
 
+def test_the_other_half_of_a_mode_that_a_loop_has_split_is_told(a4d: FlightCondition) -> None:
+    """With so much gain the root that was the Dutch roll is real; what swings now is no better damped than before."""
+    firm, much = (law_for(f"yaw_damper gain={gain}", a4d) for gain in (0.5, 20))
+    assert firm.notes == ()
+    assert much.achieved[0].continuous == pytest.approx(1.0)
+    assert much.notes == (
+        "The dutch roll has split. Its other half is in the spiral dutch roll, zeta 0.0376 at 0.626 rad/s.",
+    )
+
+
 def test_gains_by_hand_are_what_they_are(a4d: FlightCondition) -> None:
     law = law_for("yaw_damper gain=0.5 washout=2 s", a4d).law
     assert law == YawDamper(shelf("laws").get("direct")(a4d.full_stick), 0.5, 2.0)

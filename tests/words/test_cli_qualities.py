@@ -88,6 +88,15 @@ def test_what_is_left_out_limits_the_verdict_and_it_says_so() -> None:
     assert "takes t2_ph" in verdict["reason"]
 
 
+@pytest.mark.parametrize(
+    ("zeta", "says"), [("0.2", "Level 1 at best"), ("0.1", "Level 2 at best"), ("-0.1", "worse than Level 3")]
+)
+def test_damping_without_its_frequency_says_what_it_can_be(zeta: str, says: str) -> None:
+    (verdict,) = asked("--criterion", "mil_f_8785c_dutch_roll", "--zeta-dr", zeta)["verdicts"]
+    assert verdict["level"] is None
+    assert verdict["reason"].startswith(f"Without omega_dr the damping is not judged; zeta_dr {zeta} is {says}.")
+
+
 def test_an_omitted_class_takes_the_strictest() -> None:
     found = asked("--criterion", "mil_f_8785c_roll_mode", "--tau-roll", "1.2", "--category", "C")
     assert (found["class"], found["verdicts"][0]["level"]) == ("IV", 2)

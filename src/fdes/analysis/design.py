@@ -17,8 +17,8 @@ from fdes.analysis.command_settings import command_settings
 from fdes.analysis.design_rules import PAIR_ZETA, RULES, Rule, fair_wish, wishes_of
 from fdes.analysis.designed import Achieved, Designed
 from fdes.analysis.margins import without_sensors
-from fdes.analysis.mode_names import decoupled, states_beside
-from fdes.analysis.modes import modes
+from fdes.analysis.mode_names import OSCILLATIONS, decoupled, states_beside
+from fdes.analysis.modes import Mode, modes
 from fdes.analysis.placement import Quantity, followed_root, measure, nearest_root, one_gain, stable, two_gains
 from fdes.control import Law, LinearModel
 from fdes.control.laws.direct import Direct
@@ -102,6 +102,7 @@ def law_for(
         achieved.append(
             replace(closed.achieved, alone=by_itself, continuous=measure(s, quantity), flown=measure(z, quantity))
         )
+    notes += _parted({one.mode for one in achieved if one.mode in OSCILLATIONS}, modes(whole))
     bare = [m.eigenvalue for m in modes(condition, form)]
     if not stable(whole, bare):
         notes.append("With these gains the closed loop has a mode that grows faster than any of the bare aircraft.")
@@ -115,6 +116,17 @@ def law_for(
         notes=tuple(notes),
         frame=step,
     )
+
+
+def _parted(followed: set[str], closed: list[Mode]) -> list[str]:
+    """Where the other half of an oscillation is that a loop has split: one half alone was followed."""
+    return [
+        f"The {mode.replace('_', ' ')} has split. Its other half is in the {other.name.replace('_', ' ')}, "
+        f"zeta {other.zeta:.3g} at {other.omega_n:.3g} rad/s."
+        for mode in sorted(followed)
+        for other in closed
+        if other.oscillatory and mode in other.name and other.name != mode and mode not in {m.name for m in closed}
+    ]
 
 
 def _said(name: str, settings: Mapping[str, float]) -> str:

@@ -27,6 +27,7 @@ FAMILIES: dict[Axis, dict[str, tuple[str, ...]]] = {
     "lateral": {"roll": ("p",), "dutch_roll": ("beta", "r"), "spiral": ("phi",)},
 }
 MERGING = tuple(FAMILIES["longitudinal"])  # the faster first
+OSCILLATIONS = {name for axis in FAMILIES.values() for name, states in axis.items() if len(states) == 2}
 # The share of the airframe's part of an oscillation that a family must have to call it its own. The phugoid and the
 # short period hardly mix before they merge; roll rate takes part in every Dutch roll.
 OWN = {"short_period": 0.75, "phugoid": 0.75, "dutch_roll": 0.5}

@@ -81,7 +81,8 @@ def _damping(m: Measured, role: Role) -> Verdict:
     if zeta is None or omega is None or omega <= 0.0:
         bands: tuple[Band, ...] = tuple((row(role, level).zeta, None) for level in (1, 2, 3))
         absent = [name for name, value in (("zeta_dr", zeta), ("omega_dr", omega)) if value is None]
-        default = f"Without {' and '.join(absent) or 'a frequency above zero'} the damping is not judged."
+        without = " and ".join(absent) or "a frequency above zero"
+        default = f"Without {without} the damping is not judged{_at_best(zeta, role)}."
         asks = Requirement(NAME, "dutch_roll", "1", f"{asked('zeta_dr', bands)} ({whose})", REFERENCE)
         return asks.not_applicable(m.missing.get("zeta_dr", default))
     bands = tuple((least_damping(role, level, omega, m.phi_beta), None) for level in (1, 2, 3))
@@ -97,6 +98,14 @@ def _damping(m: Measured, role: Role) -> Verdict:
     )
     unknown = "" if m.phi_beta is not None else "; |phi/beta| is not known, and what it may add is left out"
     return asks.graded(zeta, bands, f"zeta_dr is {zeta:.3g}, zeta omega_n {zeta * omega:.3g} rad/s{unknown}")
+
+
+def _at_best(zeta: float | None, role: Role) -> str:
+    """What a damping ratio can be whatever the frequency: a product of the two may ask more."""
+    if zeta is None:
+        return ""
+    level = next((level for level in (1, 2, 3) if zeta >= row(role, level).zeta), None)
+    return f"; zeta_dr {zeta:.3g} is {'worse than Level 3' if level is None else f'Level {level} at best'}"
 
 
 def _frequency(m: Measured, role: Role) -> Verdict:
