@@ -5,6 +5,10 @@ from typing import Any
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
+from fdes.aircraft import load
+from fdes.analysis.design import law_for
+from fdes.analysis.margins import margins
+
 SIZE = {"width": 1280, "height": 720}
 READY = "() => window.fdes && window.fdes.stats.frames > 5"
 YAW = "[data-law=yaw_damper]"
@@ -143,6 +147,31 @@ def test_the_diagram_shows_signals_and_surfaces_at_their_limits(page: Any) -> No
     assert page.get_by_text("δe actuator").count() == 1
 
 
+def test_margins_follow_the_law_and_the_aircraft(page: Any) -> None:
+    page.get_by_role("tab", name="Margins").click()
+    page.get_by_text("engage a law, and its margins stand here").wait_for()
+    page.evaluate("() => window.fdes.link.command('law', { text: 'yaw_damper gain=0.5', sampled: false })")
+    alone = page.locator(".margins tbody tr", has_text="law alone").locator("td")
+    alone.first.wait_for()
+    expected = margins(load("A-4D").at(), law_for("yaw_damper gain=0.5", load("A-4D").at()).law)[0].as_dict()
+    assert page.locator(".margins caption").inner_text() == "Loop broken at the rudder"
+    assert float(alone.nth(1).inner_text()) == pytest.approx(expected["gain_margin_db"], rel=6e-3)
+    assert float(alone.nth(5).inner_text()) == pytest.approx(1e3 * expected["delay_margin_s"], rel=6e-3)
+    assert page.locator(".margins .is-growing").count() == 0
+    before = alone.nth(5).inner_text()
+    page.evaluate("() => window.fdes.link.command('edit', { changes: ['Cn_beta=0.1'] })")
+    page.wait_for_function(
+        "before => document.querySelector('.margins tbody td:last-child').textContent !== before", arg=before
+    )
+    page.evaluate(
+        "() => window.fdes.link.command('law', { text: 'yaw_damper gain=20; sensors delay=50ms', sampled: false })"
+    )
+    page.locator(".margins .is-growing", has_text="+ frames, grows").wait_for()
+    assert page.evaluate(
+        "(({ scrollWidth: a, clientWidth: b }) => a <= b + 1)(document.querySelector('#laws-margins'))"
+    )
+
+
 def enter(page: Any, label: str, value: str) -> None:
     field = page.get_by_label(label, exact=True)
     field.fill(value)
@@ -191,6 +220,9 @@ def test_it_is_accessible_and_nothing_is_cut_off(page: Any) -> None:
     for theme in ("dark", "light"):
         page.evaluate("theme => (document.documentElement.dataset.theme = theme)", theme)
         engage(page, "yaw_damper")
+        assert Axe().run(page).response["violations"] == []
+        page.get_by_role("tab", name="Margins").click()
+        page.locator(".margins").wait_for()
         assert Axe().run(page).response["violations"] == []
         page.get_by_role("tab", name="Block diagram").click()
         assert Axe().run(page).response["violations"] == []

@@ -6,12 +6,14 @@ from fdes.aircraft.save import as_toml, saved
 from fdes.analysis import linear_model
 from fdes.analysis.airspeeds import airspeeds
 from fdes.analysis.improvement import adjustables, improvements, unreachable
+from fdes.analysis.margins import costs
 from fdes.analysis.qualities import assess
 from fdes.cockpit import commands
 from fdes.cockpit.craft import Craft
 from fdes.cockpit.excite import preview
 from fdes.cockpit.flight_control import fitted
 from fdes.control import LinearModel
+from fdes.flight.actuated import actuators_of
 from fdes.physics.derivatives import Form, dimensional
 from fdes.physics.signals import channels
 
@@ -20,6 +22,7 @@ Question = (
     | commands.Preview
     | commands.Improve
     | commands.Calculate
+    | commands.Margins
     | commands.Airspeeds
     | commands.SaveAircraft
 )
@@ -34,6 +37,8 @@ def answer(question: Question, shown: Craft) -> dict[str, Any]:
             return improved(shown, criterion)
         case commands.Calculate():
             return calculated(shown)
+        case commands.Margins():
+            return {"margins": margins(shown)}
         case commands.Airspeeds(kind, value, h):
             return airspeeds(kind, value, h)._asdict()
         case commands.SaveAircraft():
@@ -73,6 +78,14 @@ def calculated(craft: Craft) -> dict[str, Any]:
         "longitudinal": _matrices(model.longitudinal()),
         "lateral": _matrices(model.lateral()),
     }
+
+
+def margins(craft: Craft) -> list[dict[str, Any]]:
+    """The margins at each surface: of the law alone, then with all that comes between it and the air, one by one."""
+    control, condition = craft.fit.control, craft.condition
+    actuators = actuators_of(condition) if control.actuators else None
+    found = costs(condition, craft.fit.designed.law, craft.clock.dt, actuators, cast("Form", craft.form))
+    return [{"step": step, **margin.as_dict()} for step, loops in found.items() for margin in loops]
 
 
 def _matrices(part: LinearModel) -> dict[str, Any]:

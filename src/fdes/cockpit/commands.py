@@ -170,6 +170,11 @@ class Calculate:
 
 
 @dataclass(frozen=True)
+class Margins:
+    """How far each loop of the control laws in use is from growing."""
+
+
+@dataclass(frozen=True)
 class Airspeeds:
     """One speed in all its forms: `kind` is mach, tas, eas or cas; `value` [m/s], or a Mach number; at `h` [m]."""
 
@@ -252,6 +257,7 @@ Command = (
     | Judge
     | Improve
     | Calculate
+    | Margins
     | Airspeeds
     | OpenAircraft
     | OpenExperiment
@@ -288,6 +294,7 @@ COMMANDS: dict[str, type[Command]] = {
     "save_aircraft": SaveAircraft,
     "share": Share,
     "calculate": Calculate,
+    "margins": Margins,
     "airspeeds": Airspeeds,
     "law": Engage,
     "actuators": UseActuators,

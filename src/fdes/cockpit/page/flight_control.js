@@ -4,6 +4,7 @@ import { ControlDiagram } from "./control_diagram.js";
 import { fetchStyle, html } from "./dom.js";
 import { button, choice } from "./fields.js";
 import { LawCard } from "./law_card.js";
+import { MarginsView } from "./margins_view.js";
 import { SensorFields } from "./sensor_fields.js";
 import { Tabs } from "./tabs.js";
 import { degrees, figure } from "./units.js";
@@ -53,15 +54,18 @@ export class FlightControl {
       this.sensors.element,
     );
     this.list = html("div", { role: "tabpanel", id: "laws-list", "aria-labelledby": "tab-laws-list", tabindex: 0 });
+    const margins = html("div", { role: "tabpanel", id: "laws-margins", "aria-labelledby": "tab-laws-margins", tabindex: 0 });
     this.drawing = html("div", { role: "tabpanel", id: "laws-diagram", "aria-labelledby": "tab-laws-diagram", tabindex: 0 });
     const tabs = html(
       "div",
       { role: "tablist", class: "sub", "aria-label": "Views of the flight control system" },
       html("button", { role: "tab", id: "tab-laws-list", "data-tab": "list", "aria-controls": "laws-list" }, "Laws"),
       html("button", { role: "tab", id: "tab-laws-diagram", "data-tab": "diagram", "aria-controls": "laws-diagram" }, "Block diagram"),
+      html("button", { role: "tab", id: "tab-laws-margins", "data-tab": "margins", "aria-controls": "laws-margins" }, "Margins"),
     );
-    panel.replaceChildren(html("div", { class: "law-tools" }, this.switch, tabs), this.problem, this.list, this.drawing);
-    this.tabs = new Tabs(tabs);
+    panel.replaceChildren(html("div", { class: "law-tools" }, this.switch, tabs), this.problem, this.list, this.drawing, margins);
+    this.margins = new MarginsView(margins, link);
+    this.tabs = new Tabs(tabs, (shown) => this.margins.watch(shown === "margins"));
     this.diagram = new ControlDiagram(this.drawing, link);
     link.on("laws", ({ laws }) => this.fill(laws));
     link.on("control", (control) => this.show(control));
