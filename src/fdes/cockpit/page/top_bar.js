@@ -48,10 +48,11 @@ export class TopBar {
   showStatus(status) {
     this.status = status;
     const slow = status.real_time_factor < SLOW_CLOCK && !status.frozen && !this.link.has(FLAG.ended);
-    write(byId("pace"), `${status.real_time_factor.toFixed(2)}×${this.link.has(FLAG.late) ? " late" : ""}`);
+    const factor = `${status.real_time_factor.toFixed(2)}×`;
+    write(byId("pace"), !this.link.has(FLAG.late) ? factor : slow ? `${factor} late` : "step late");
     byId("pace").classList.toggle("warn", slow);
     const lateness = `99 % of the steps less than ${status.lateness_p99_ms.toFixed(1)} ms late; ${status.slips} slips`;
-    byId("pace").title = `Real-time factor: simulated seconds in a second. ${lateness}.`;
+    byId("pace").title = `Real-time factor: simulated seconds in a second. ${lateness}. Late: in the last second one came a frame too late, or later.`;
     write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
     if (!status.replay) this.announce(status.notice);
     this.flags = null;
