@@ -165,7 +165,7 @@ def test_a_reader_that_has_enough_is_no_error(fdes_command: str, words: str) -> 
 
 @POSIX
 def test_ctrl_c_is_quiet_and_leaves_nothing(fdes_command: str, tmp_path: Path) -> None:
-    command = [fdes_command, "simulate", "A-4D", "--duration", "400", "--out", str(tmp_path / "run.csv")]
+    command = [fdes_command, "simulate", "A-4D", "--duration", "2000", "--out", str(tmp_path / "run.csv")]
     flying = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     while flying.poll() is None and not list(tmp_path.iterdir()):
         time.sleep(0.02)
