@@ -7,10 +7,10 @@ export const title = "airspeed";
 export const needs = ["cas"];
 
 const SCALES = [
-  { top: 200, minor: 5, major: 20 },
-  { top: 400, minor: 10, major: 50 },
-  { top: 700, minor: 20, major: 100 },
-  { top: 1400, minor: 50, major: 200 },
+  { top: 200, minor: 5, major: 20, letter: 0.115 },
+  { top: 400, minor: 10, major: 50, letter: 0.13 },
+  { top: 700, minor: 20, major: 100, letter: 0.14 },
+  { top: 1400, minor: 50, major: 200, letter: 0.125 },
 ];
 const SWEEP = 325 * DEG;
 
@@ -22,7 +22,7 @@ export function face(dial, start) {
   for (let v = 0; v <= scale.top; v += scale.minor) {
     const major = v % scale.major === 0;
     dial.tick(angle(v, scale), major ? 0.73 : 0.79, 0.86, major ? 0.022 : 0.012);
-    if (major && v) dial.label(String(v), angle(v, scale), 0.56, scale.top > 999 ? 0.125 : 0.14);
+    if (major && v) dial.label(String(v), angle(v, scale), 0.56, scale.letter);
   }
   dial.text("AIRSPEED", 0, -0.26, 0.095, GREY);
   dial.text("KNOTS", 0, 0.3, 0.095, GREY);

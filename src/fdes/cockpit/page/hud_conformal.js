@@ -45,11 +45,11 @@ function onLadder({ cx, cy, f, phi, theta }, angle, along, below = 0) {
 /** Rungs every 5 degrees, and the horizon. The ladder stands over the flight-path marker, across the horizon. */
 export function ladder(glass, marker) {
   const { ink, cx, cy, k, R, phi, theta, letter } = glass;
-  const shift = clamp(marker.x * Math.cos(phi) - marker.y * Math.sin(phi), -0.4 * R, 0.4 * R);
+  const shift = clamp(marker.x * Math.cos(phi) - marker.y * Math.sin(phi), -0.3 * R, 0.3 * R);
   const gap = 34 * k;
   const length = 60 * k;
-  const rim = R * 0.84; // rungs that would reach beyond it are left out: the bank scale lies there
-  const fits = ([x, y]) => Math.hypot(x - cx, y - cy) < rim;
+  // Rungs that would reach beyond are left out: the bank scale lies below on a circle, the heading above on a line.
+  const fits = ([x, y]) => (y > cy ? Math.hypot(x - cx, y - cy) < R * 0.84 : cy - y < R * 0.72 && Math.abs(x - cx) < R);
 
   const end = Math.min(R * 1.3, glass.width * 0.37);
   for (const side of [-1, 1]) {

@@ -85,7 +85,7 @@ export function scales(glass, state, mostG) {
   const row = (i) => cy + half + (15 + 17 * i) * k;
   ink.text(`M ${state.mach.toFixed(2)}`, left - 62 * k, row(0), small, -1);
   ink.text(`G ${state.n_z.toFixed(1)}`, left - 62 * k, row(1), small, -1);
-  ink.text(mostG.toFixed(1), left + 16 * k, row(1), small, 1);
+  ink.text(mostG.toFixed(1), left + 22 * k, row(1), small, 1);
   ink.text(`α ${degrees(state.alpha).toFixed(1)}`, left - 62 * k, row(2), small, -1);
   ink.text(climbText(state), right + 12 * k, row(0), small, -1);
   ink.text(`R ${Math.max(0, Math.round(altitude))}`, right + 12 * k, row(1), small, -1);

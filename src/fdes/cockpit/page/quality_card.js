@@ -123,7 +123,16 @@ function draw({ title, reference, x, y, boundaries, point, level }, path) {
   plane.append(inside, svg("text", { class: "s-number s-middle", x: (left + width - right) / 2, y: height - 6 }, titled(x)));
   const word = svg("text", { class: "s-number s-middle", transform: `rotate(-90) translate(${-(top + height - bottom) / 2} 10)` }, titled(y));
   plane.append(word);
-  return html("figure", {}, html("figcaption", {}, title), plane);
+  return html("figure", {}, html("figcaption", {}, title), plane, key(boundaries));
+}
+
+/** Which line bounds which Level. */
+function key(boundaries) {
+  const levels = [...new Set(boundaries.map(({ level }) => level))].sort();
+  const lines = levels.map((level) =>
+    html("span", {}, svg("svg", { viewBox: "0 0 24 4", width: 24, height: 4, "aria-hidden": "true" }, svg("path", { class: `bound bound-${level}`, d: "M0 2H24" })), ` Level ${level}`),
+  );
+  return html("p", { class: "bound-key" }, "Bounds of ", lines);
 }
 
 const titled = ({ label, unit }) => (unit === "1" ? label : `${label}, ${unit}`);

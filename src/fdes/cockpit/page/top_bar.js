@@ -51,6 +51,7 @@ export class TopBar {
     const factor = `${status.real_time_factor.toFixed(2)}×`;
     write(byId("pace"), !this.link.has(FLAG.late) ? factor : slow ? `${factor} late` : "step late");
     byId("pace").classList.toggle("warn", slow);
+    byId("pace").classList.toggle("late", this.link.has(FLAG.late));
     const lateness = `99 % of the steps less than ${status.lateness_p99_ms.toFixed(1)} ms late; ${status.slips} slips`;
     byId("pace").title = `Real-time factor: simulated seconds in a second. ${lateness}. Late: in the last second one came a frame too late, or later.`;
     write(byId("record-time"), status.recording ? minutes(status.recording.seconds) : "");
@@ -78,7 +79,6 @@ export class TopBar {
     const ended = this.link.has(FLAG.ended);
     byId("ended").hidden = !ended;
     if (ended) write(byId("ended-words"), this.status?.notice ?? "The flight has ended. Press R to start again.");
-    byId("pace").classList.toggle("late", this.link.has(FLAG.late));
   }
 
   showConnection(open) {

@@ -39,8 +39,9 @@ const SHOWN = {
   1: { label: "–", factor: 1, span: 1 },
 };
 
-/** How a channel of unit `unit` is shown. Climb rates are speeds too, but pilots want them in feet per minute. */
+/** How a channel of unit `unit` is shown. Load factors are counted in g. Climb rates are speeds too, but pilots want them in feet per minute. */
 export function shown(unit, name = "") {
+  if (/^n_[xyz]$/.test(name)) return { label: "g", factor: 1, span: 1 };
   if (name === "h_dot") return { label: "ft/min", factor: 1 / FOOT_PER_MINUTE, span: 1000 };
   return SHOWN[unit] ?? { label: unit, factor: 1, span: 1 };
 }
