@@ -235,7 +235,7 @@ async function openShared() {
   const { textOf } = await import("./experiment_files.js");
   try {
     await link.openText(1, textOf(shared));
-    topBar.say("The experiment of this link flies.");
+    topBar.say("The experiment of the link flies.");
   } catch (error) {
     topBar.complain(error.message);
   }

@@ -38,7 +38,7 @@ export class IndicatorChooser {
 
   draw() {
     const chosen = this.panel.names;
-    const sets = [...SETS, ["All of the shelf", this.shelf]].map(([label, names]) =>
+    const sets = [...SETS, ["All", this.shelf]].map(([label, names]) =>
       html(
         "label",
         {},

@@ -3,7 +3,7 @@
 import { choice, refill } from "./fields.js";
 import { html } from "./dom.js";
 
-const NOT_SAID = ["", "not said"];
+const NOT_SAID = ["", "not given"];
 const pairs = (words) => Object.entries(words).map(([code, word]) => [code, `${code}: ${word}`]);
 
 export class RoleFields {

@@ -96,7 +96,7 @@ function drawLane(context, { symbol, unit, series }, { ink, x, right, top, botto
   }
   context.fillStyle = ink("ink");
   context.textAlign = "left";
-  context.fillText(`${symbol}, ${unit}`, LEFT, top - 9);
+  context.fillText(`${symbol}, ${unit}`, LEFT + 4, top - 9);
   context.lineWidth = 1.7;
   series.forEach(({ t, y }, i) => {
     context.strokeStyle = ink(`series-${i + 1}`);

@@ -29,7 +29,7 @@ export class SignalChooser {
         Array.from({ length: PER_LANE }, (_, place) => this.select(lane, place, names[place] ?? "")),
       ),
     );
-    const standard = html("button", { onclick: () => this.apply(DEFAULT_LANES) }, "As at first");
+    const standard = html("button", { onclick: () => this.apply(DEFAULT_LANES) }, "Default signals");
     this.body.replaceChildren(...lanes, html("p", {}, standard));
   }
 

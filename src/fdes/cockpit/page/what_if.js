@@ -35,7 +35,7 @@ export class WhatIf {
       html(
         "div",
         { class: "dialog-body" },
-        html("p", { class: "quiet-words" }, "The same stick, test inputs and air. What is left empty is flown as it was; several things are parted by semicolons, and come after the changes that the recording has."),
+        html("p", { class: "quiet-words" }, "The same stick, test inputs and air. What is left empty is flown as it was; several changes are separated by semicolons, and come after the changes that the recording has."),
         this.rows,
         this.helpers,
         html("p", { class: "button-row" }, this.go, this.add),
