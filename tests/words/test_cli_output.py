@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -163,9 +164,18 @@ def test_a_reader_that_has_enough_is_no_error(fdes_command: str, words: str) -> 
     assert run.stderr == ""
 
 
+@pytest.fixture
+def ctrl_c() -> Iterator[None]:
+    """Programs that are started can be interrupted, though these tests may run in the background, where none can."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @POSIX
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_is_quiet_and_leaves_nothing(fdes_command: str, tmp_path: Path) -> None:
-    command = [fdes_command, "simulate", "A-4D", "--duration", "2000", "--out", str(tmp_path / "run.csv")]
+    command = [fdes_command, "simulate", "A-4D", "--duration", "400", "--out", str(tmp_path / "run.csv")]
     flying = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     while flying.poll() is None and not list(tmp_path.iterdir()):
         time.sleep(0.02)
