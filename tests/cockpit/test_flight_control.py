@@ -172,6 +172,21 @@ def test_margins_follow_the_law_and_the_aircraft(page: Any) -> None:
     )
 
 
+def test_what_a_loop_brings_to_a_sum_is_shown_with_the_sign_beside_it(page: Any) -> None:
+    """Commanded aileron: gain times roll rate, taken away at the minus and not once more."""
+    page.evaluate("() => window.fdes.link.command('law', { text: 'roll_rate_damper gain=0.5', sampled: false })")
+    page.get_by_role("tab", name="Block diagram").click()
+    page.evaluate("() => window.fdes.link.command('input', { text: 'step aileron 2deg' })")
+    page.wait_for_function(
+        """() => {
+          const words = [...document.querySelectorAll(".diagram .d-value")].map((word) => word.textContent);
+          const p = words.map((word) => /^p ([\\d.]+)/.exec(word)?.[1]).find(Boolean);
+          const [brought, more] = document.querySelectorAll(".diagram .d-value.d-end:not(.d-quiet)");
+          return p > 1 && !more && Math.abs(parseFloat(brought.textContent) - 0.5 * p) < 0.02;
+        }"""
+    )
+
+
 def enter(page: Any, label: str, value: str) -> None:
     field = page.get_by_label(label, exact=True)
     field.fill(value)

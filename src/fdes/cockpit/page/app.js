@@ -24,7 +24,7 @@ import { ViewBar } from "./view_bar.js";
 const TOUR_AFTER = 600; // ms: the first picture comes first
 const PLANT_SAYS = {
   linear: "Linear: small perturbations about trim.",
-  nonlinear: "Nonlinear: six degrees of freedom; the stall is assumed. Modes and Levels are of the linearized aircraft.",
+  nonlinear: "Nonlinear: six degrees of freedom; a stall that no source gives is assumed. Modes and Levels are of the linearized aircraft.",
 };
 const query = new URLSearchParams(location.search);
 let tourIsDue = beginsByItself(query.get("tour")) && !location.hash.startsWith("#experiment="); // a link to an experiment is no first visit

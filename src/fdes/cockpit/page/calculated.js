@@ -66,8 +66,8 @@ export class CalculatedPage {
     this.numbers.replaceChildren(
       html("h3", {}, "Dimensional derivatives, SI and radians"),
       derivatives,
-      matrices("Longitudinal: A | B", longitudinal),
-      matrices("Lateral: A | B", lateral),
+      matrices("Longitudinal: A | B, SI", longitudinal),
+      matrices("Lateral: A | B, SI", lateral),
     );
   }
 
@@ -89,6 +89,7 @@ export class CalculatedPage {
 
 function matrices(title, { states, inputs, A, B }) {
   const head = [...states, ...inputs];
+  const edge = (j) => (j === states.length ? "is-input" : "");
   return html(
     "div",
     { class: "matrix", tabindex: 0, role: "region", "aria-label": title },
@@ -96,12 +97,12 @@ function matrices(title, { states, inputs, A, B }) {
       "table",
       { class: "number" },
       html("caption", {}, title),
-      html("thead", {}, html("tr", {}, html("td", {}), head.map((name) => html("th", { scope: "col" }, symbol(name))))),
+      html("thead", {}, html("tr", {}, html("td", {}), head.map((name, j) => html("th", { scope: "col", class: edge(j) }, symbol(name))))),
       html(
         "tbody",
         {},
         states.map((name, i) =>
-          html("tr", {}, html("th", { scope: "row" }, `d${symbol(name)}/dt`), [...A[i], ...B[i]].map((x) => html("td", {}, figure(x, 4)))),
+          html("tr", {}, html("th", { scope: "row" }, `d${symbol(name)}/dt`), [...A[i], ...B[i]].map((x, j) => html("td", { class: edge(j) }, figure(x, 4)))),
         ),
       ),
     ),

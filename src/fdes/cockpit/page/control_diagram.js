@@ -22,13 +22,15 @@ const LANES = [
   { surface: "aileron", stick: "stick_roll", word: "Stick", symbol: "δa" },
   { surface: "rudder", stick: "stick_yaw", word: "Pedals", symbol: "δr" },
 ];
-// The loops: what is measured, the blocks on its way (the last its gain), the sign at the sum, what it adds [rad].
+// The loops: what is measured, the blocks on its way (the last its gain), what it brings to the sum [rad], the sign there.
 const LOOPS = {
-  pitch_rate_damper: { surface: "elevator", signal: "q", sign: "+", adds: ({ gain }, v) => gain * v.q },
-  roll_rate_damper: { surface: "aileron", signal: "p", sign: "−", adds: ({ gain }, v) => -gain * v.p },
-  spiral_stabilization: { surface: "aileron", signal: "r", sign: "−", adds: ({ gain }, v) => -gain * v.r },
+  pitch_rate_damper: { surface: "elevator", signal: "q", sign: "+", brings: ({ gain }, v) => gain * v.q },
+  roll_rate_damper: { surface: "aileron", signal: "p", sign: "−", brings: ({ gain }, v) => gain * v.p },
+  spiral_stabilization: { surface: "aileron", signal: "r", sign: "−", brings: ({ gain }, v) => gain * v.r },
   yaw_damper: { surface: "rudder", signal: "r", sign: "+", before: ({ washout }) => ["s", `s + ${figure(1 / washout, 2)}`] },
 };
+
+const signed = ({ sign, brings }, settings, v) => (sign === "−" ? -1 : 1) * brings(settings, v);
 
 export class ControlDiagram {
   /** `host` holds the drawing; `link` is the wire. */
@@ -90,7 +92,7 @@ export class ControlDiagram {
     const apart = this.sensed ? SENSOR.row : ROW;
     let row = y + apart;
     const rows = loops.map(([name, loop]) => ({ ...loop, settings: gains[name], name }));
-    if (commands?.rate_gain) rows.push({ signal: "p", sign: "−", name: "rate", settings: { gain: commands.rate_gain }, adds: (s, v) => -s.gain * v.p });
+    if (commands?.rate_gain) rows.push({ signal: "p", sign: "−", name: "rate", settings: { gain: commands.rate_gain }, brings: (s, v) => s.gain * v.p });
     rows.forEach((loop, i) => {
       this.feedback(drawing, lane, loop, row, i === rows.length - 1);
       if (i === rows.length - 1) drawing.append(wire([[X.sum, row], [X.sum, y + 8]], true));
@@ -163,7 +165,7 @@ export class ControlDiagram {
   }
 
   /** One path back to the sum; the last one turns up to it, the others join it on the way. */
-  feedback(drawing, lane, { signal, sign, before, settings, adds }, y, last) {
+  feedback(drawing, lane, { signal, sign, before, settings, brings }, y, last) {
     const words = before?.(settings);
     const gain = X.sum + 20;
     drawing.append(wire([[this.sensor(drawing, signal, y), y], [words ? gain + 96 : gain + 42, y]], true), block(gain, y, 42, figure(settings.gain)), wire([[gain, y], [X.sum + (last ? 0 : 4), y]], !last));
@@ -171,15 +173,15 @@ export class ControlDiagram {
     if (!last) drawing.append(svg("circle", { class: "d-sum", cx: X.sum, cy: y, r: 3.5 }));
     drawing.append(text(X.sum + 6, y - 5, sign));
     this.value(drawing, this.right + 4, y + 3.5, (v) => measured(signal, v));
-    const others = Object.entries(LOOPS).filter(([, loop]) => loop.surface === lane.surface && loop.adds);
+    const others = Object.entries(LOOPS).filter(([, loop]) => loop.surface === lane.surface && loop.brings);
     const full = this.aircraft.full_stick[lane.surface];
     // What has a memory is what remains of the command when all else is taken off.
     const rest = (v, seen) =>
       v[`command_${lane.surface}`] -
       v[`excitation_${lane.surface}`] -
       full * v[lane.stick] -
-      others.reduce((total, [name, loop]) => total + (this.control.gains[name] ? loop.adds(this.control.gains[name], seen) : 0), 0);
-    this.value(drawing, X.sum - 6, y - 4, (v, seen) => angle(adds ? adds(settings, seen) : rest(v, seen)), "d-end");
+      others.reduce((total, [name, loop]) => total + (this.control.gains[name] ? signed(loop, this.control.gains[name], seen) : 0), 0);
+    this.value(drawing, X.sum - 6, y - 4, (v, seen) => angle(brings ? brings(settings, seen) : rest(v, seen)), "d-end");
   }
 
   value(drawing, x, y, words, kind = "") {

@@ -22,7 +22,7 @@ const ADVICE = [
     "a real one would need a little ↓.",
   "From outside (V) the orange surfaces are drawn deflected twice as far as they are, so that a few degrees can be seen.",
   "The linear aircraft is right near its trim: beyond 15° the display says so, and it flies unlike the real one. Key N " +
-    "flies on with the nonlinear aircraft, which loops and rolls; its stall is assumed.",
+    "flies on with the nonlinear aircraft, which loops and rolls; a stall that no source gives is assumed.",
   "A damper helps: press L for the yaw damper, or open Flight control for all six laws, their gains and their block diagram.",
   "A gamepad is used as soon as one of its buttons is pressed: left stick to fly, triggers for the pedals, up and down on the directional pad for the throttle.",
   "The menu in the top bar that names the keyboard hands the stick to the mouse or a gamepad, and sets a gamepad up: axes, " +
