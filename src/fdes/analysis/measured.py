@@ -250,6 +250,7 @@ def _dutch_roll(after_yaw: Mode | None, named: Mapping[str, Mode], notes: dict[s
             f"Half of the dutch roll has merged with the {other}, the other half, {growing:.3g} 1/s, grows: "
             f"it doubles in {LN2 / growing:.3g} s, with no oscillation."
         )
+        # Of the other half only the size is left: that of the oscillation which it has become part of.
         return Pair(-math.sqrt(growing * after_yaw.omega_n), None), "Half of the dutch roll is unstable."
     notes["dutch_roll"] = f"Dutch roll and {other} have merged in one oscillation, which is judged here."
     return _as_pair(after_yaw), ""

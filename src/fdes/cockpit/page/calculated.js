@@ -2,6 +2,7 @@
 
 import { html } from "./dom.js";
 import { choice, number, row } from "./fields.js";
+import { FreshAnswer } from "./fresh_answer.js";
 import { symbol } from "./strip_chart.js";
 import { FOOT, KNOT, figure } from "./units.js";
 
@@ -15,9 +16,8 @@ const KINDS = [
 export class CalculatedPage {
   constructor(panel, link) {
     this.link = link;
-    this.shown = false;
-    this.asking = false;
     this.numbers = html("div", {});
+    this.answer = new FreshAnswer(link, "calculate", this.numbers, (found) => this.draw(found));
     this.kind = choice("From", KINDS, "mach");
     this.value = number("Value", 0.8);
     this.height = number("Altitude, ft", 35000, 100);
@@ -33,26 +33,13 @@ export class CalculatedPage {
   }
 
   watch(shown) {
-    this.shown = shown;
-    if (!shown) return;
-    this.stale();
-    this.convert();
+    this.answer.watch(shown);
+    if (shown) this.convert();
   }
 
-  /** The aircraft has changed: ask again, if anybody looks. */
-  async stale() {
-    this.again = true;
-    if (!this.shown || this.asking) return;
-    this.asking = true;
-    try {
-      while (this.again) {
-        this.again = false;
-        this.draw(await this.link.command("calculate"));
-      }
-    } catch (error) {
-      this.numbers.replaceChildren(html("p", { class: "problem" }, error.message));
-    }
-    this.asking = false;
+  /** The aircraft has changed. */
+  stale() {
+    this.answer.stale();
   }
 
   draw({ dimensional, longitudinal, lateral }) {

@@ -1,6 +1,7 @@
 /** How far each loop of the laws in use is from growing, broken at its surface, and what each part on the way takes of it. */
 
 import { html } from "./dom.js";
+import { FreshAnswer } from "./fresh_answer.js";
 import { figure } from "./units.js";
 
 const NOTHING = "Nothing is fed back: engage a law, and its margins stand here.";
@@ -19,34 +20,12 @@ export class MarginsView {
   /** `link` is the wire. */
   constructor(panel, link) {
     this.panel = panel;
-    this.link = link;
-    this.shown = false;
-    this.asking = false;
-    this.again = false;
-    link.on("control", () => this.stale());
-    link.on("stability", () => this.stale());
-    link.on("aircraft", () => this.stale());
+    this.answer = new FreshAnswer(link, "margins", panel, ({ margins }) => this.draw(margins));
+    for (const change of ["control", "stability", "aircraft"]) link.on(change, () => this.answer.stale());
   }
 
   watch(shown) {
-    this.shown = shown;
-    this.stale();
-  }
-
-  /** Law or aircraft has changed: ask again, if anybody looks. */
-  async stale() {
-    this.again = true;
-    if (!this.shown || this.asking) return;
-    this.asking = true;
-    try {
-      while (this.again) {
-        this.again = false;
-        this.draw((await this.link.command("margins")).margins);
-      }
-    } catch (error) {
-      this.panel.replaceChildren(html("p", { class: "problem" }, error.message));
-    }
-    this.asking = false;
+    this.answer.watch(shown);
   }
 
   draw(margins) {
