@@ -68,13 +68,6 @@ def find_chromium() -> str | None:
     return next((path for path in (*on_path, *map(shutil.which, USUAL_PLACES)) if path), None)
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_configure(config: pytest.Config) -> None:
-    """On several cores (-n) tests keep their order: those of the browser come last, and on one core, one by one."""
-    if config.getoption("dist", "no") == "load":
-        config.option.dist, config.option.loadscopereorder = "loadgroup", False
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> Iterator[None]:
     """Mark the cockpit's tests before -m looks at marks; then leave out what cannot run here.
@@ -87,7 +80,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> It
             item.add_marker("cockpit")
         if "browser" in item.fixturenames:
             item.add_marker("cockpit_browser")
-            item.add_marker(pytest.mark.xdist_group("browser"))
     items.sort(key=lambda item: "browser" in item.fixturenames)
     yield
     if IN_CI or find_chromium():
