@@ -25,6 +25,7 @@ NO_BROWSER = (
     "Install it (Debian: sudo apt install chromium) or name it in FDES_CHROMIUM."
 )
 LEFT_OUT = pytest.StashKey[int]()
+COCKPIT = "cockpit"  # the folder of tests that fly in real time
 ON_PATH = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 USUAL_PLACES = (
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
@@ -72,15 +73,15 @@ def find_chromium() -> str | None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> Iterator[None]:
     """Mark the cockpit's tests before -m looks at marks; then leave out what cannot run here.
 
-    Browser tests come last: quick evidence first, and Playwright leaves an event loop running in the thread that it was
-    started in, where `asyncio.run` of another test would fail.
+    Browser tests come last of all, after the rest of the cockpit's: quick evidence first, and Playwright leaves an
+    event loop running in the thread that it was started in, where `asyncio.run` of another test would fail.
     """
     for item in items:
-        if item.path.parent.name == "cockpit":
+        if item.path.parent.name == COCKPIT:
             item.add_marker("cockpit")
         if "browser" in item.fixturenames:
             item.add_marker("cockpit_browser")
-    items.sort(key=lambda item: "browser" in item.fixturenames)
+    items.sort(key=lambda item: (item.path.parent.name == COCKPIT, "browser" in item.fixturenames))
     yield
     if IN_CI or find_chromium():
         return
@@ -88,6 +89,23 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[Any]) -> It
     items[:] = [item for item in items if item not in left_out]
     config.hook.pytest_deselected(items=left_out)
     config.stash[LEFT_OUT] = len(left_out)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """On several processes (-n) the cockpit's tests come last and one by one: they fly in real time.
+
+    This is the scheduler that `--dist loadgroup` would be; with pytest 9.2 pytest-xdist 3.8 finds no group (its issue
+    1386), so that the folder is the group here.
+    """
+    from xdist.scheduler import LoadScopeScheduling  # whoever does not distribute needs no xdist
+
+    class OneCockpit(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return COCKPIT if COCKPIT in Path(nodeid.partition("::")[0]).parts else nodeid
+
+    config.option.loadscopereorder = False
+    return OneCockpit(config, log)
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:

@@ -1,5 +1,6 @@
 """The rules of tests/conftest.py: what cannot run is named, and in CI nothing stays out unseen."""
 
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -50,6 +51,28 @@ def test_in_ci_a_missing_browser_and_a_skipped_test_are_failures(
     result.assert_outcomes(passed=1, errors=1, failed=1)
     result.stdout.fnmatch_lines(["*skipped itself*", "*none was found*sudo apt install chromium*"])
     assert result.ret == pytest.ExitCode.TESTS_FAILED
+
+
+def test_on_several_workers_the_cockpit_is_on_one_and_comes_last(run: pytest.Pytester, tmp_path: Path) -> None:
+    """Tests in real time beside each other would take each other's time."""
+    wrote = tmp_path / "order.txt"
+    body = f"""
+        import os, pytest
+
+        @pytest.mark.parametrize("number", range(20))
+        def test_and_tell(number):
+            with open({str(wrote)!r}, "a") as order:
+                order.write(os.environ["PYTEST_XDIST_WORKER"] + " " + __file__ + chr(10))
+    """
+    for folder in ("cockpit", "plain"):
+        (run.path / folder).mkdir()
+        (run.path / folder / f"test_{folder}.py").write_text(textwrap.dedent(body))
+    run.runpytest_subprocess("-n", "3", "cockpit", "plain").assert_outcomes(passed=40)
+    workers, files = zip(*(line.split() for line in wrote.read_text().splitlines()), strict=True)
+    ran = [Path(file).parent.name for file in files]
+    assert len(set(workers)) > 1
+    assert len({worker for worker, folder in zip(workers, ran, strict=True) if folder == "cockpit"}) == 1
+    assert "plain" not in ran[-15:]  # the last few plain tests may still run when the cockpit's begin
 
 
 def test_every_file_is_collected() -> None:

@@ -66,7 +66,7 @@ def test_ci_finds_the_test_command_of_the_readme() -> None:
     """`.ci/run` runs the one line that makes an environment and starts pytest."""
     lines = [line for line in text_of("README.md").splitlines() if "python3 -m venv" in line]
     assert [line for line in lines if "-m pytest" in line] == [
-        "python3 -m venv .venv && .venv/bin/python -m pip install '.[test]' && .venv/bin/python -m pytest"
+        "python3 -m venv .venv && .venv/bin/python -m pip install '.[test]' && .venv/bin/python -m pytest -n auto"
     ]
     assert "python3 -m venv .venv && .venv/bin/python -m pip install . && .venv/bin/fdes fly" in lines
 
