@@ -81,6 +81,7 @@ def test_the_bare_yaw_damper_damps_the_dutch_roll_that_is_shown_and_flown(page: 
     assert shown[shown.index("flown") + 1] == "0.402"
     page.get_by_role("tab", name="Modes").click()
     assert page.locator("#s-plane .s-bare path").count() > 4
+    assert "◇ bare aircraft" in page.locator("#s-plane").text_content()
     page.keyboard.press("l")
     page.wait_for_function(DIRECT)
     assert dutch_roll(page) == bare

@@ -152,9 +152,10 @@ def test_a_recording_downloads_as_csv_and_replays(page: Any, cockpit: str) -> No
     hold(page, "ArrowRight", 0.4)
     page.wait_for_timeout(1200)
     reached = drawn(page)["phi"]
-    page.keyboard.press("c")
-    page.wait_for_timeout(600)
     page.get_by_role("tab", name="Recordings").click()
+    page.locator(".recordings li").first.get_by_text("being recorded").wait_for()
+    page.keyboard.press("c")
+    page.wait_for_selector(".recordings li:first-child:not(:has-text('being recorded'))")
     with page.expect_download() as download:
         page.get_by_role("link", name="CSV").first.click()
     rows = list(csv.DictReader(io.StringIO(Path(download.value.path()).read_text(encoding="utf-8"))))

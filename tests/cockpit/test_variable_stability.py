@@ -235,4 +235,6 @@ def test_the_tab_and_the_verdict_are_accessible(page: Any, theme: str) -> None:
     page.locator('.level[data-mode="short_period"]').click()
     page.get_by_role("button", name="What to change").click()
     page.wait_for_selector(".advice li")
+    assert "ζsp is " in page.locator(".quality-body").inner_text()
+    assert "zeta" not in page.locator(".quality-card").inner_text()
     assert Axe().run(page).response["violations"] == []

@@ -304,7 +304,8 @@ link.on("status", (status) => {
   topBar.showStatus(status);
   replayBar.show(status.replay);
   recordings.playing = status.replay?.name ?? null;
-  const now = `${status.recording?.name} ${recordings.playing}`;
+  recordings.growing = status.recording?.name ?? null;
+  const now = `${recordings.growing} ${recordings.playing}`;
   if (recorded !== null && now !== recorded && tabs.shown === "recordings") recordings.refresh();
   recorded = now;
 });

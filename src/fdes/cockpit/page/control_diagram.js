@@ -18,8 +18,8 @@ const ROW = 28; // px from one path to the next
 const SENSOR = { room: 66, width: 52, row: 40 }; // px that sensors add to the width, their own, and from path to path
 const MEASURED = ["p", "q", "r", "phi"];
 const LANES = [
-  { surface: "elevator", stick: "stick_pitch", word: "Stick", symbol: "δe" },
-  { surface: "aileron", stick: "stick_roll", word: "Stick", symbol: "δa" },
+  { surface: "elevator", stick: "stick_pitch", word: "Stick ↕", symbol: "δe" },
+  { surface: "aileron", stick: "stick_roll", word: "Stick ↔", symbol: "δa" },
   { surface: "rudder", stick: "stick_yaw", word: "Pedals", symbol: "δr" },
 ];
 // The loops: what is measured, the blocks on its way (the last its gain), what it brings to the sum [rad], the sign there.

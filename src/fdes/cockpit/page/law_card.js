@@ -153,7 +153,7 @@ function figures({ achieved, sampled, frame }) {
   const cells = [
     ["without", before, `${name} without this loop`],
     ["wanted", wanted, wanted === null ? "The gains are given by hand" : `${name} that was asked for`],
-    [`design, ${sampled ? "z" : "s"}`, designed, `${name} where it was designed: ${sampled ? "sampled, in z" : "continuous, in s"}`],
+    ["design", designed, `${name} where it was designed: ${sampled ? "sampled, in z" : "continuous, in s"}`],
     ...(late ? [["law alone", alone, `${name} by the law alone, continuous, without sensors and actuators`]] : []),
     ["flown", flown, `${name} as it is flown, with sensors and actuators: ln z / dt at ${Math.round(1 / frame)} frames a second`],
     ["½ frame", cost, `What the ${(500 * frame).toFixed(1)} ms do by which a held command comes late: flown less continuous`],

@@ -121,8 +121,11 @@ function approximation({ name, approximation: nelson }) {
   return `Nelson: ${value}, off by ${off.join(", ")}`;
 }
 
+/** A short time is told in two digits: its column is no wider than the others. */
+const brief = (time) => figure(time, Math.abs(time) < 0.1 ? 2 : 3);
+
 /** A time of a mode; that of a root which is zero but for rounding is infinite. */
-const lasting = (time) => (time > NEUTRAL ? "∞" : figure(time));
+const lasting = (time) => (time > NEUTRAL ? "∞" : brief(time));
 
 function row(mode) {
   const { name, axis, omega_n, zeta, time_constant, time_to_half, time_to_double, period } = mode;
@@ -138,8 +141,8 @@ function row(mode) {
     html("td", {}, omega_n < 1 / NEUTRAL ? "0" : figure(omega_n)),
     html("td", {}, period === null ? "–" : figure(zeta)),
     html("td", {}, lasting(time_constant)),
-    html("td", { class: growing ? "growing" : "" }, growing ? `×2 ${figure(time_to_double)}` : lasting(time_to_half ?? time_to_double)),
-    html("td", {}, figure(period)),
-    html("td", { class: growing ? "growing" : "" }, cycles_to_double ? `×2 ${figure(cycles_to_double)}` : figure(cycles_to_half)),
+    html("td", { class: growing ? "growing" : "" }, growing ? `×2 ${brief(time_to_double)}` : lasting(time_to_half ?? time_to_double)),
+    html("td", {}, brief(period)),
+    html("td", { class: growing ? "growing" : "" }, cycles_to_double ? `×2 ${brief(cycles_to_double)}` : brief(cycles_to_half)),
   );
 }

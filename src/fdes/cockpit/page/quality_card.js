@@ -5,6 +5,7 @@
 
 import { fetchStyle, html, svg } from "./dom.js";
 import { choice } from "./fields.js";
+import { formula, plainFormula } from "./formula.js";
 import { levelSentence, levelWord } from "./levels.js";
 import { modeName } from "./s_plane.js";
 import { clamp, figure, roundStep } from "./units.js";
@@ -61,7 +62,7 @@ export class QualityCard {
   async improve() {
     this.advice.replaceChildren(html("p", { class: "quiet-words" }, "Trying changes…"));
     const found = await this.say(() => this.link.command("improve", { criterion: this.criterion }));
-    const lines = found?.improvements.map(({ says }) => html("li", {}, says)) ?? [];
+    const lines = found?.improvements.map(({ says }) => html("li", {}, formula(says))) ?? [];
     this.advice.replaceChildren(
       lines.length ? html("ul", {}, lines) : html("p", {}, found?.reason ?? "No single number reaches a better Level."),
     );
@@ -86,9 +87,9 @@ export class QualityCard {
     this.title.replaceChildren(`${modeName(mode)} `, html("b", { class: `level level-${level}` }, level === null ? "–" : levelWord(level)));
     const drawn = charts.filter(({ criterion }) => criterion === this.criterion).map((chart) => draw(chart, paths.get(chart.title) ?? []));
     this.body.replaceChildren(
-      html("p", {}, `${levelSentence(level)}${margin === null ? "" : `, margin ${(100 * margin).toFixed(0)} %`}. ${reason}`),
+      html("p", {}, `${levelSentence(level)}${margin === null ? "" : `, margin ${(100 * margin).toFixed(0)} %`}. `, formula(reason)),
       ...drawn,
-      html("p", { class: "quiet-words" }, requirement),
+      html("p", { class: "quiet-words" }, formula(requirement)),
       html("p", { class: "quiet-words" }, reference),
       html("p", { class: "quiet-words" }, `${role.says}: ${role.reason}.`),
     );
@@ -123,7 +124,7 @@ function draw({ title, reference, x, y, boundaries, point, level }, path) {
   plane.append(inside, svg("text", { class: "s-number s-middle", x: (left + width - right) / 2, y: height - 6 }, titled(x)));
   const word = svg("text", { class: "s-number s-middle", transform: `rotate(-90) translate(${-(top + height - bottom) / 2} 10)` }, titled(y));
   plane.append(word);
-  return html("figure", {}, html("figcaption", {}, title), plane, key(boundaries));
+  return html("figure", {}, html("figcaption", {}, formula(title)), plane, key(boundaries));
 }
 
 /** Which line bounds which Level. */
@@ -135,7 +136,7 @@ function key(boundaries) {
   return html("p", { class: "bound-key" }, "Bounds of ", lines);
 }
 
-const titled = ({ label, unit }) => (unit === "1" ? label : `${label}, ${unit}`);
+const titled = ({ label, unit }) => plainFormula(unit === "1" ? label : `${label}, ${unit}`);
 
 function ticks({ low, high, log }) {
   if (!log) {

@@ -11,7 +11,8 @@ export class RecordingsPanel {
     this.panel = panel;
     this.command = command;
     this.onWhatIf = () => {}; // told the name of a recording, and what to call it
-    this.playing = null;
+    this.playing = null; // the name of the recording that plays
+    this.growing = null; // the name of the one being made
     this.marked = new Map(); // name -> label, in the order in which they were marked
     this.overlayButton = html("button", { onclick: () => this.overlay() }, "Overlay the marked");
     this.refusal = html("span", { role: "status" });
@@ -65,7 +66,8 @@ export class RecordingsPanel {
         const file = `/api/recordings/${encodeURIComponent(recording.name)}`;
         const what = `${recording.aircraft}, ${recording.condition}`;
         const flownAs = recording.what_if === null ? [] : [`what if: ${recording.what_if || "as it was"}`];
-        const details = [...flownAs, when(recording.started), minutes(recording.seconds), size(recording.bytes)];
+        const growing = recording.name === this.growing ? ["being recorded"] : [];
+        const details = [...growing, ...flownAs, when(recording.started), minutes(recording.seconds), size(recording.bytes)];
         return html(
           "li",
           { class: recording.name === this.playing ? "is-playing" : "" },

@@ -10,6 +10,9 @@ const SLOW = 0.12; // share of the fastest mode's frequency below which a mode g
 const FAR = 2; // times the frequency of the aircraft's fastest mode
 const DAMPING = [0.2, 0.4, 0.6, 0.8];
 const LEAST_APART = 36; // px from number to number along the real axis
+const FOREIGN = 0.1; // how much the half of divergent roots counts as covered for the name of one that decays
+const BESIDE = 9; // px from a cross to a name beside it
+const AWAY = 5; // px² of what may not be covered that a px farther away is worth
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**
@@ -77,7 +80,11 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
 
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
   plane.append(drawTrail(trail, at, clipId), drawBare(bare, at));
-  const words = [[x, x + title.length * 5.6, height - 14, height]]; // not to be covered: left, right, top, bottom
+  const said = without.length && x === 0 ? `${title} · ◇ bare aircraft` : title;
+  const words = [
+    [x, x + said.length * 5.6, height - 14, height], // not to be covered: left, right, top, bottom
+    [at.x(0) - 1, at.x(0) + 1, 0, height],
+  ];
   for (let im = step; im < top; im += step) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
     words.push([at.x(0), at.x(0) + 22, at.y(im) - 5, at.y(im) + 4]);
@@ -89,8 +96,9 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
     words.push([at.x(-re) - 11, at.x(-re) + 11, at.y(0) + 2, at.y(0) + 11]);
     grid.append(svg("path", { class: "s-axis", d: `M${at.x(-re)} ${at.y(0) - 2}v4` }));
   }
-  plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, title));
-  if (x === 0) plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
+  plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, said));
+  const room = x === 0 && width > said.length * 5.6 + 64;
+  if (room) plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
   placeLabels(plane, named, at, { x, width, height }, words);
 }
 
@@ -110,7 +118,7 @@ function drawTrail(trail, at, clipId) {
 
 /** Where the roots are without control law and actuators: hollow diamonds. */
 function drawBare(bare, at) {
-  const group = svg("g", { class: "s-bare" }, svg("title", {}, "Without the control law"));
+  const group = svg("g", { class: "s-bare" }, svg("title", {}, "The bare aircraft, without control law and actuators"));
   for (const [re, im] of bare) group.append(svg("path", { d: `M${at.x(re) - 4} ${at.y(im)}l4 -4l4 4l-4 4z` }));
   for (const [re, im] of bare.filter((root) => root[1])) group.append(svg("path", { d: `M${at.x(re) - 4} ${at.y(-im)}l4 -4l4 4l-4 4z` }));
   return group;
@@ -134,14 +142,21 @@ function placeLabels(plane, modes, at, pane, words) {
     }
     group.append(svg("title", {}, `${modeName(mode.name)}: ${figure(re)} ${im ? `± ${figure(im)} i` : ""} rad/s`));
     const name = modeName(mode.name);
-    const spot = freeSpot(at.x(re), at.y(im), name.length * 5.8, pane, taken);
+    const divergent = [at.x(0), pane.x + pane.width, 0, pane.height, FOREIGN];
+    const spot = freeSpot(at.x(re), at.y(im), name.length * 5.8, pane, re > 0 ? taken : [...taken, divergent]);
     taken.push(spot.box);
-    group.append(svg("text", { x: spot.x, y: spot.y }, name));
+    group.append(leader(at.x(re), at.y(im), spot.box), svg("text", { x: spot.x, y: spot.y }, name));
     plane.append(group);
   }
 }
 
-/** Where a name `wide` px long goes: left, right, above or below its cross, whichever is free first. */
+/** A line from a cross to a name that is not beside it. */
+function leader(px, py, [left, right, top, bottom]) {
+  const [x, y] = [clamp(px, left, right), clamp(py, top, bottom)];
+  return Math.hypot(x - px, y - py) > 2 * BESIDE ? svg("line", { x1: px, y1: py, x2: x, y2: y }) : "";
+}
+
+/** Where a name `wide` px long goes: left, right, above or below its cross, or farther; where it covers least. */
 function freeSpot(px, py, wide, { x, width, height }, taken) {
   const within = (left) => clamp(left, x + 5, x + width - wide - 5);
   const center = within(px - wide / 2);
@@ -164,15 +179,17 @@ function freeSpot(px, py, wide, { x, width, height }, taken) {
   const candidates = spots.map(([left, base]) => ({ x: left, y: base, box: [left, left + wide, base - 9, base + 2] }));
   const overlap = ([l, r, t, b]) => {
     let area = 0;
-    for (const [L, R, T, B] of taken) area += Math.max(0, Math.min(r, R) - Math.max(l, L)) * Math.max(0, Math.min(b, B) - Math.max(t, T));
+    for (const [L, R, T, B, weight = 1] of taken)
+      area += weight * Math.max(0, Math.min(r, R) - Math.max(l, L)) * Math.max(0, Math.min(b, B) - Math.max(t, T));
     return area;
   };
-  const inside = ([l, r, t, b]) => l > x + 3 && r < x + width - 3 && t > 0 && b < height;
-  const allowed = candidates.filter(({ box }) => inside(box));
-  return allowed.find(({ box }) => !overlap(box)) ?? allowed.sort((one, other) => overlap(one.box) - overlap(other.box))[0] ?? candidates[0];
+  const inside = ({ box: [l, r, t, b] }) => l > x + 3 && r < x + width - 3 && t > 0 && b < height;
+  const away = ([l, r, t, b]) => Math.hypot(px - clamp(px, l, r), py - clamp(py, t, b));
+  for (const spot of candidates) spot.cost = overlap(spot.box) + AWAY * Math.max(0, away(spot.box) - BESIDE);
+  return candidates.filter(inside).sort((one, other) => one.cost - other.cost)[0] ?? candidates[0];
 }
 
-const tidy = (value) => String(Number(value.toPrecision(3)));
+const tidy = (value) => String(Number(value.toPrecision(3))).replace("-", "−");
 
 /** "short_period" -> "Short period". */
 export function modeName(name) {

@@ -90,9 +90,10 @@ export class TopBar {
   /** Once a second: pictures a second, time from stick to picture, and who moves the stick. */
   showPace() {
     const { stats } = this.cockpit;
+    const frames = byId("link").classList.contains("ok") ? stats.frames - this.framesBefore : "–"; // pictures of the last thing heard are none
     const recent = stats.latencies.slice(-60).sort((a, b) => a - b);
     const latency = recent.length ? `${recent[recent.length >> 1].toFixed(0)} ms` : "–";
-    write(byId("frames"), `${stats.frames - this.framesBefore} fps · ${latency}`);
+    write(byId("frames"), `${frames} fps · ${latency}`);
     this.framesBefore = stats.frames;
     write(byId("control-words"), this.cockpit.flying ? this.stick.source : "Observer");
   }

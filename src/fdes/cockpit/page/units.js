@@ -52,10 +52,10 @@ export function minutes(seconds) {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
-/** A number with three significant digits and no exponent; an en dash for null. */
+/** A number with three significant digits, a true minus sign and no exponent; an en dash for null. */
 export function figure(value, digits = 3) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const decimals = clamp(digits - 1 - Math.floor(Math.log10(Math.abs(value))), 0, 9);
-  return value.toFixed(decimals);
+  return value.toFixed(decimals).replace("-", "−");
 }
