@@ -13,6 +13,7 @@ const LEAST_APART = 36; // px from number to number along the real axis
 const FOREIGN = 0.1; // how much the half of divergent roots counts as covered for the name of one that decays
 const BESIDE = 9; // px from a cross to a name beside it
 const AWAY = 5; // px² of what may not be covered that a px farther away is worth
+const UNDER = 13; // px from the real axis to the foot of its numbers, which clears a cross
 const PAD = { top: 10, bottom: 17, left: 4, right: 4 };
 
 /**
@@ -92,8 +93,8 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
   let across = nearestStep(-left / 2.4);
   if (across * sx < LEAST_APART) across *= 2;
   for (let re = across; at.x(-re) > x + 14; re += across) {
-    plane.append(svg("text", { class: "s-number s-middle", x: at.x(-re), y: at.y(0) + 10 }, tidy(-re)));
-    words.push([at.x(-re) - 11, at.x(-re) + 11, at.y(0) + 2, at.y(0) + 11]);
+    plane.append(svg("text", { class: "s-number s-middle", x: at.x(-re), y: at.y(0) + UNDER }, tidy(-re)));
+    words.push([at.x(-re) - 11, at.x(-re) + 11, at.y(0) + UNDER - 8, at.y(0) + UNDER + 1]);
     grid.append(svg("path", { class: "s-axis", d: `M${at.x(-re)} ${at.y(0) - 2}v4` }));
   }
   plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, said));
