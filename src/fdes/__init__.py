@@ -16,6 +16,7 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOME = {
+    "Clock": "fdes.flight",
     "FdesError": "fdes.errors",
     "assess": "fdes.analysis.qualities",
     "edited": "fdes.aircraft",

@@ -7,7 +7,7 @@ unlikely in it, `flight_condition` is what comes out: numbers in SI, ready to fl
 
 from fdes.aircraft.check import Finding, check
 from fdes.aircraft.edit import Change, edited
-from fdes.aircraft.flight_condition import FlightCondition, Provenance
+from fdes.aircraft.flight_condition import FlightCondition, Provenance, in_a_condition
 from fdes.aircraft.load import Aircraft, Condition, catalogue, load, parse
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "catalogue",
     "check",
     "edited",
+    "in_a_condition",
     "load",
     "parse",
 ]

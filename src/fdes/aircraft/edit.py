@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 from typing import Literal, cast
 
 from fdes.aircraft.dimensional import DimensionalTable
-from fdes.aircraft.flight_condition import FlightCondition
+from fdes.aircraft.flight_condition import FlightCondition, in_a_condition
 from fdes.errors import NoSuchPart, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients, Reference
@@ -65,10 +65,10 @@ class Change:
 
 
 def edited(condition: FlightCondition, changes: Iterable[str | Change]) -> FlightCondition:
-    """`condition` with `changes` made to it, in their order.
+    """`condition` with `changes` made to it, in their order; a text is one change.
 
     Raises NoSuchPart for a number that the aircraft does not have, SpecError for a change that is not understood or
-    that no aircraft can have.
+    that no aircraft can have, and for what is no flight condition.
 
     >>> from fdes.aircraft import load
     >>> slack = edited(load("A-4D").at(), ["Cm_q*=0.5", "cg+=0.02"])
@@ -77,7 +77,8 @@ def edited(condition: FlightCondition, changes: Iterable[str | Change]) -> Fligh
     >>> [str(change) for change in slack.changes]
     ['Cm_q*=0.5', 'cg+=0.02']
     """
-    for change in changes:
+    condition = in_a_condition(condition)
+    for change in [changes] if isinstance(changes, str) else changes:
         asked = read_change(condition, change) if isinstance(change, str) else change
         condition = _changed(condition, asked)
     return condition

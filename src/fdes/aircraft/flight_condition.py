@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 from fdes.aircraft.check import waived_notes
 from fdes.aircraft.dimensional import DimensionalDerivatives, DimensionalTable
@@ -10,7 +10,7 @@ from fdes.aircraft.number import Confidence, Number, Part, Variant
 from fdes.aircraft.schema import AircraftFile, Assumed, Condition
 from fdes.aircraft.terms import Terms
 from fdes.aircraft.turbofan import TurbofanTables
-from fdes.errors import AircraftFileError, SpecError
+from fdes.errors import AircraftFileError, NoSuchPart, SpecError
 from fdes.physics.atmosphere import standard_atmosphere
 from fdes.physics.derivatives import Coefficients, Form, Matrices, Reference, dimensional, matrices
 from fdes.physics.signals import Surfaces
@@ -20,6 +20,7 @@ from fdes.units import DEG, G0, si_unit
 if TYPE_CHECKING:
     from fdes.aircraft.edit import Change
 
+FORMS: tuple[Form, ...] = get_args(Form)
 AILERON = ("Cy_da", "Cl_da", "Cn_da", "Ystar_da", "L_da", "N_da")
 LOPSIDED = ("Ixy", "Iyz")  # products of inertia that a symmetric aircraft does not have
 MAYBE_UNKNOWN = ("S", "b", "c", "Ix", "Iy", "Iz", "Ixz")  # where the derivatives are dimensional
@@ -107,7 +108,11 @@ class FlightCondition:
         )
 
     def equations(self, form: Form) -> Matrices:
-        """A and B in that form. Raises SpecError for another than `full` where dimensional derivatives are given."""
+        """A and B in that form. Raises NoSuchPart for a form that there is not, and SpecError for another than `full`
+        where dimensional derivatives are given.
+        """
+        if form not in FORMS:
+            raise NoSuchPart("form of the linear equations", form, FORMS)
         if isinstance(self.aerodynamics, Coefficients):
             return matrices(dimensional(self.aerodynamics, self.reference, form), self.reference, form)
         if form != "full":
@@ -122,6 +127,22 @@ class FlightCondition:
         """Whether the trim angle of attack, by which the inertias are turned, is unknown or of low confidence."""
         given = self.provenance.get("trim_alpha")
         return self.nondimensional and (given is None or given.confidence == "low")
+
+
+def in_a_condition(of: object) -> FlightCondition:
+    """`of`, if it is an aircraft in a flight condition. Raises SpecError, which says how to get one."""
+    if isinstance(of, FlightCondition):
+        return of
+    known = [condition.id for condition in getattr(of, "conditions", ())]  # those of an Aircraft
+    if known:
+        raise SpecError(
+            f"This aircraft is in no flight condition yet. It has {', '.join(known)}: take one with .at({known[0]!r}), "
+            "or the first with .at()."
+        )
+    said = f"the text {of!r}" if isinstance(of, str) else f"of type {type(of).__name__}"
+    raise SpecError(
+        f"An aircraft in a flight condition is needed, and this is {said}. Load one: fdes.load('A-4D').at('M0.4_SL')."
+    )
 
 
 def flight_condition(

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fdes.aircraft import FlightCondition
+from fdes.aircraft import FlightCondition, in_a_condition
 from fdes.control import LinearModel
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight import plant_of
@@ -27,9 +27,11 @@ STEP = 2.0**-7  # of differences, in SI: a power of two, so that what is linear 
 def linear_model(condition: FlightCondition, form: Form = "full", outputs: Sequence[str] = ()) -> LinearModel:
     """The small-perturbation model of `condition`: eight states, four inputs, longitudinal and lateral decoupled.
 
-    `outputs` are fields of `Outputs`, from their values in undisturbed flight. Raises NoSuchPart for another name, and
-    SpecError for one that hangs on heading or place, which are no states of this model.
+    `outputs` are fields of `Outputs`, from their values in undisturbed flight. Raises NoSuchPart for another name or an
+    unknown form, and SpecError for one that hangs on heading or place, which are no states of this model, and for what
+    is no flight condition.
     """
+    condition = in_a_condition(condition)
     point = {
         "aircraft": condition.aircraft_id,
         "condition": condition.condition,

@@ -87,6 +87,8 @@ def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
     is moved by as much as trim is elsewhere. Raises FdesError where the
     variation cannot be, RecordingError where the recording does not say enough.
     """
+    if not isinstance(recording, Recording):
+        raise SpecError(f"A recording is needed, and this is {recording!r}. Open one: fdes.open_recording(PATH).")
     if isinstance(variation, str):
         variation = Variation.parse(variation)
     other = _Other(variation)

@@ -6,7 +6,7 @@ by `assumptions`, and whoever flies the plant should show it.
 
 from itertools import pairwise
 
-from fdes.aircraft import FlightCondition
+from fdes.aircraft import FlightCondition, in_a_condition
 from fdes.aircraft.terms import Terms
 from fdes.errors import SpecError
 from fdes.physics.across_mach import (
@@ -38,6 +38,7 @@ def six_dof_of(condition: FlightCondition, integrator: str = "rk4") -> SixDof:
 
     Raises SpecError where the source gives dimensional derivatives, which hold at one condition alone.
     """
+    condition = in_a_condition(condition)
     if not condition.nondimensional:
         raise SpecError(
             f"{condition.aircraft_id} {condition.condition} cannot fly nonlinear: its source gives dimensional "

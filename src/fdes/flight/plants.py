@@ -1,11 +1,8 @@
 """From an aircraft in a flight condition to a plant that flies."""
 
-from typing import get_args
-
-from fdes.aircraft import FlightCondition
+from fdes.aircraft import FlightCondition, in_a_condition
 from fdes.control import exact_hold
 from fdes.errors import NoSuchPart
-from fdes.physics.derivatives import Form
 from fdes.physics.small_perturbation import SmallPerturbation
 from fdes.shelf import shelf
 
@@ -23,13 +20,11 @@ def plant_of(
     """The linear plant of `condition`: its equations in `form`, solved by `integrator`.
 
     `step` [s] is the integrator's step; only ``exact`` needs to know it beforehand.
-    Raises NoSuchPart for a form or an integrator that does not exist.
+    Raises NoSuchPart for a form or an integrator that does not exist, SpecError for what is no flight condition.
     """
-    if form not in get_args(Form):
-        raise NoSuchPart("form of the linear equations", form, get_args(Form))
-    named: Form = form  # type: ignore[assignment]  # just checked
+    condition = in_a_condition(condition)
     ref = condition.reference
-    equations = condition.equations(named)
+    equations = condition.equations(form)  # type: ignore[arg-type]  # it refuses what is no form
     if integrator == EXACT:
         method = exact_hold(equations, ref, step)
     else:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from fdes import __version__
-from fdes.aircraft import FlightCondition
+from fdes.aircraft import FlightCondition, in_a_condition
 from fdes.control import Law, Stick
 from fdes.control.laws.direct import Direct
 from fdes.errors import NoSuchPart, SpecError
@@ -46,8 +46,9 @@ def simulate(
 ) -> Recording:
     """Fly `condition` from trim, hands off, with `inputs` such as ``step aileron 15deg at 0s``, ``step gust_w -5m/s``.
 
-    `initial` disturbs states at the start: ``beta=5deg``, ``u=+10kt``. `height` [m] is where the flight starts, else
-    the condition's. Surfaces go as far as they are asked unless `limits` stops them at what is assumed of them.
+    `initial` disturbs states at the start: ``beta=5deg``, ``u=+10kt``; of either, a text is one. `height` [m] is where
+    the flight starts, else the condition's. Surfaces go as far as they are asked unless `limits` stops them at what is
+    assumed of them.
     `law` is a control law, made for this aircraft, and `said` what the recording calls it (`fdes.analysis.design`);
     `actuators` moves the surfaces by those that are assumed. Raises SpecError, NoSuchPart or Departed.
 
@@ -60,7 +61,8 @@ def simulate(
         raise SpecError(
             f"A flight cannot begin at {height:,.0f} m: it can between {LOWEST:,.0f} m and {HIGHEST:,.0f} m."
         )
-    inputs, initial = list(inputs), list(initial)
+    condition = in_a_condition(condition)
+    inputs, initial = ([one] if isinstance(one, str) else list(one) for one in (inputs, initial))
     flown = condition if limits else replace(condition, limits=NO_LIMITS)
     plant = plant_of(flown, form, integrator, clock.dt / clock.substeps)
     excitation, throttle = Excitation.parse(inputs, files=True), condition.trim_throttle
