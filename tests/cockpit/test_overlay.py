@@ -43,7 +43,7 @@ def page(browser: Any, cockpit: str) -> Any:
 def reading(page: Any) -> list[list[float]]:
     """The figures of the table, one row for each flight."""
     rows = page.locator(".overlay-readings tbody tr").all()
-    return [[float(cell) for cell in row.locator("td").all_inner_texts()] for row in rows]
+    return [[float(cell.replace("\u2212", "-")) for cell in row.locator("td").all_inner_texts()] for row in rows]
 
 
 def mark_and_open(page: Any) -> None:

@@ -48,6 +48,14 @@ def mode(page: Any, name: str) -> dict[str, Any] | None:
     return next((m for m in told(page, "modes")["modes"] if m["name"] == name), None)
 
 
+COPY_MATRIX = """() => {
+  getSelection().selectAllChildren(document.querySelector(".matrix"));
+  const copy = new ClipboardEvent("copy", { clipboardData: new DataTransfer(), bubbles: true, cancelable: true });
+  document.querySelector(".matrix").dispatchEvent(copy);
+  return copy.clipboardData.getData("text/plain");
+}"""
+
+
 def level(page: Any, name: str) -> int:
     """The Level on the badge of a mode."""
     return int(page.locator(f'.level[data-mode="{name}"]').first.get_attribute("data-level"))
@@ -231,6 +239,10 @@ def test_the_tab_and_the_verdict_are_accessible(page: Any, theme: str) -> None:
     page.get_by_role("tab", name="Calculated").click()
     page.wait_for_selector(".matrix")
     assert Axe().run(page).response["violations"] == []
+    copied = page.evaluate(COPY_MATRIX)
+    assert "\u2212" in page.locator(".matrix").first.inner_text()
+    assert "\u2212" not in copied
+    assert "-" in copied
     page.get_by_role("tab", name="Modes").click()
     page.locator('.level[data-mode="short_period"]').click()
     page.get_by_role("button", name="What to change").click()

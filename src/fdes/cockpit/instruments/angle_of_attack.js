@@ -1,7 +1,7 @@
 /** Angle of attack in degrees; the bug marks that of trim. */
 
 import { GREY } from "../page/dial.js";
-import { DEG, clamp, degrees } from "../page/units.js";
+import { DEG, clamp, degrees, minus } from "../page/units.js";
 
 export const title = "angle of attack";
 export const needs = ["alpha"];
@@ -16,7 +16,7 @@ export function face(dial, start) {
   for (let alpha = SCALE.low; alpha <= SCALE.high; alpha++) {
     const major = alpha % 5 === 0;
     dial.tick(angle(alpha), major ? 0.74 : 0.81, 0.87, major ? 0.022 : 0.011);
-    if (alpha % 10 === 0) dial.label(String(alpha), angle(alpha), 0.56, 0.14);
+    if (alpha % 10 === 0) dial.label(minus(alpha), angle(alpha), 0.56, 0.14);
   }
   dial.text("ALPHA", 0.1, -0.24, 0.1, GREY);
   dial.text("DEGREES", 0.1, 0.26, 0.085, GREY);

@@ -1,7 +1,7 @@
 /** Load factor in g. The thin hands stay at the most and the least of this flight. */
 
 import { AMBER, GREY } from "../page/dial.js";
-import { DEG, clamp } from "../page/units.js";
+import { DEG, clamp, minus } from "../page/units.js";
 
 export const title = "load factor";
 export const needs = ["n_z"];
@@ -17,7 +17,7 @@ export function face(dial) {
     const g = half / 2;
     const whole = Number.isInteger(g);
     dial.tick(angle(g), whole ? 0.75 : 0.8, 0.87, whole ? 0.022 : 0.012);
-    if (whole && g % 2 === 0) dial.label(String(g), angle(g), 0.58, 0.14);
+    if (whole && g % 2 === 0) dial.label(minus(g), angle(g), 0.58, 0.14);
   }
   dial.text("LOAD FACTOR", 0.08, -0.24, 0.085, GREY);
   dial.text("G", 0.08, 0.26, 0.1, GREY);

@@ -1,6 +1,6 @@
 /** What is calculated of the numbers: dimensional derivatives, A and B as they fly; and airspeeds in all their forms. */
 
-import { html } from "./dom.js";
+import { copyReadably, html } from "./dom.js";
 import { choice, number, row } from "./fields.js";
 import { FreshAnswer } from "./fresh_answer.js";
 import { symbol } from "./strip_chart.js";
@@ -17,6 +17,7 @@ export class CalculatedPage {
   constructor(panel, link) {
     this.link = link;
     this.numbers = html("div", {});
+    copyReadably(this.numbers);
     this.answer = new FreshAnswer(link, "calculate", this.numbers, (found) => this.draw(found));
     this.kind = choice("From", KINDS, "mach");
     this.value = number("Value", 0.8);

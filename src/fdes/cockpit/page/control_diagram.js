@@ -6,7 +6,7 @@
 import { html, svg } from "./dom.js";
 import { FLAG } from "./link.js";
 import { Sensed } from "./sensed.js";
-import { DEG, clamp, degrees, figure } from "./units.js";
+import { DEG, clamp, degrees, figure, minus } from "./units.js";
 
 const PERIOD = 90; // ms from one writing of the values to the next
 const MARK_STAYS = 700; // ms that a surface at a limit is marked
@@ -226,7 +226,7 @@ export class ControlDiagram {
 
 const angle = (radians) => {
   const value = clamp(degrees(radians), -999, 999);
-  return `${Math.abs(value) < 0.005 ? "0.00" : value.toFixed(Math.abs(value) < 10 ? 2 : 1)}°`.replace("-", "−");
+  return `${Math.abs(value) < 0.005 ? "0.00" : minus(value.toFixed(Math.abs(value) < 10 ? 2 : 1))}°`;
 };
 const milliseconds = (seconds) => `${figure(1000 * seconds, 2)} ms`;
 const measured = (signal, v) => (signal === "phi" ? `φ ${angle(v.phi)}` : `${signal} ${angle(v[signal])}/s`);

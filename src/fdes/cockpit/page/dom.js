@@ -25,6 +25,14 @@ function furnish(element, attributes, children) {
   return element;
 }
 
+/** Numbers copied out of `element` have the hyphen that other programs take for a minus sign. */
+export function copyReadably(element) {
+  element.addEventListener("copy", (event) => {
+    event.clipboardData.setData("text/plain", String(getSelection()).replaceAll("−", "-"));
+    event.preventDefault();
+  });
+}
+
 /** Brings in a style sheet that only some parts of the page need. */
 export function fetchStyle(url) {
   document.head.append(html("link", { rel: "stylesheet", href: url }));

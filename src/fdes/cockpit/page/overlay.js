@@ -5,11 +5,11 @@
  * `{ t, values: { name: [...] }, stride }` in SI. A recording is one such set; a computed flight can be another.
  */
 
-import { fetchJson, html } from "./dom.js";
+import { copyReadably, fetchJson, html } from "./dom.js";
 import { OverlayChart } from "./overlay_chart.js";
 import { MOST } from "./recordings.js";
 import { symbol } from "./strip_chart.js";
-import { shown } from "./units.js";
+import { minus, shown } from "./units.js";
 
 const FIRST = ["theta", "phi", "q", "p"];
 const STICK = ["stick_pitch", "stick_roll", "stick_yaw"];
@@ -63,6 +63,7 @@ export class Overlay {
     const style = html("link", { rel: "stylesheet", href: "/page/overlay.css", onload: () => this.chart.draw() });
     document.head.append(style);
     document.body.append(this.dialog);
+    copyReadably(this.dialog);
     new ResizeObserver(() => this.chart.draw()).observe(this.canvas);
     const themed = new MutationObserver(() => this.chart.draw());
     themed.observe(document.documentElement, { attributeFilter: ["data-theme"] });
@@ -192,4 +193,4 @@ function differences([first, ...others]) {
   return [first, ...others].map(less);
 }
 
-const said = (value) => (Number.isFinite(value) ? value.toFixed(Math.abs(value) >= 100 ? 1 : 3) : "–");
+const said = (value) => (Number.isFinite(value) ? minus(value.toFixed(Math.abs(value) >= 100 ? 1 : 3)) : "–");

@@ -1,6 +1,6 @@
 /** The overlay's chart: one lane for each signal, one line for each flight, and a line that reads them at a time. */
 
-import { clamp, roundStep } from "./units.js";
+import { clamp, minus, roundStep } from "./units.js";
 
 const LEFT = 58; // px for the numbers of the axis
 const RIGHT = 12;
@@ -92,7 +92,7 @@ function drawLane(context, { symbol, unit, series }, { ink, x, right, top, botto
     context.fillRect(LEFT, Math.round(at(value)), right - LEFT, 1);
     context.fillStyle = ink("quiet");
     context.textAlign = "right";
-    context.fillText(String(Number(value.toPrecision(6))), LEFT - 6, at(value));
+    context.fillText(minus(Number(value.toPrecision(6))), LEFT - 6, at(value));
   }
   context.fillStyle = ink("ink");
   context.textAlign = "left";

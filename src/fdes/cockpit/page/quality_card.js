@@ -8,7 +8,7 @@ import { choice } from "./fields.js";
 import { formula, plainFormula } from "./formula.js";
 import { levelSentence, levelWord } from "./levels.js";
 import { modeName } from "./s_plane.js";
-import { clamp, figure, roundStep } from "./units.js";
+import { clamp, figure, minus, roundStep } from "./units.js";
 
 const CLASSES = ["I", "II-L", "II-C", "III", "IV"];
 const CATEGORIES = ["A", "B", "C"];
@@ -87,7 +87,7 @@ export class QualityCard {
     this.title.replaceChildren(`${modeName(mode)} `, html("b", { class: `level level-${level}` }, level === null ? "–" : levelWord(level)));
     const drawn = charts.filter(({ criterion }) => criterion === this.criterion).map((chart) => draw(chart, paths.get(chart.title) ?? []));
     this.body.replaceChildren(
-      html("p", {}, `${levelSentence(level)}${margin === null ? "" : `, margin ${(100 * margin).toFixed(0)} %`}. `, formula(reason)),
+      html("p", {}, `${levelSentence(level)}${margin === null ? "" : `, margin ${minus((100 * margin).toFixed(0))} %`}. `, formula(reason)),
       ...drawn,
       html("p", { class: "quiet-words" }, formula(requirement)),
       html("p", { class: "quiet-words" }, reference),
@@ -111,8 +111,8 @@ function draw({ title, reference, x, y, boundaries, point, level }, path) {
   const frame = { x: left, y: top, width: width - left - right, height: height - top - bottom };
   plane.append(svg("clipPath", { id }, svg("rect", frame)), svg("rect", { class: "s-pane", ...frame }));
   for (const tick of ticks(x))
-    plane.append(svg("text", { class: "s-number s-middle", x: across(tick), y: height - bottom + 12 }, String(tick)));
-  for (const tick of ticks(y)) plane.append(svg("text", { class: "s-number s-end", x: left - 4, y: up(tick) + 3 }, String(tick)));
+    plane.append(svg("text", { class: "s-number s-middle", x: across(tick), y: height - bottom + 12 }, minus(tick)));
+  for (const tick of ticks(y)) plane.append(svg("text", { class: "s-number s-end", x: left - 4, y: up(tick) + 3 }, minus(tick)));
   const inside = svg("g", { "clip-path": `url(#${id})` });
   for (const { level: edge, x: xs, y: ys } of boundaries)
     inside.append(svg("path", { class: `bound bound-${edge}`, d: line(xs.map((value, i) => [value, ys[i]])) }));

@@ -4,7 +4,7 @@
  */
 
 import { svg } from "./dom.js";
-import { clamp, figure } from "./units.js";
+import { clamp, figure, minus } from "./units.js";
 
 const SLOW = 0.12; // share of the fastest mode's frequency below which a mode goes into the magnified plane
 const FAR = 2; // times the frequency of the aircraft's fastest mode
@@ -190,7 +190,7 @@ function freeSpot(px, py, wide, { x, width, height }, taken) {
   return candidates.filter(inside).sort((one, other) => one.cost - other.cost)[0] ?? candidates[0];
 }
 
-const tidy = (value) => String(Number(value.toPrecision(3))).replace("-", "−");
+const tidy = (value) => minus(Number(value.toPrecision(3)));
 
 /** "short_period" -> "Short period". */
 export function modeName(name) {

@@ -3,7 +3,7 @@
  * its past. Point at the chart to read values at an earlier time; while time stands still a slider goes further back.
  */
 
-import { clamp, roundStep, shown } from "./units.js";
+import { clamp, minus, roundStep, shown } from "./units.js";
 
 const SECONDS = 20;
 const KEPT = 120; // s
@@ -212,7 +212,7 @@ export class StripChart {
       const at = Math.round(y(value)) + 0.5;
       context.moveTo(left, at);
       context.lineTo(right, at);
-      context.fillText(String(Number(value.toFixed(3))), left - 6, clamp(at, top + 4, bottom - 3));
+      context.fillText(minus(Number(value.toFixed(3))), left - 6, clamp(at, top + 4, bottom - 3));
     }
     for (let t = Math.ceil(from / 5) * 5; t <= now; t += 5) {
       const x = Math.round(left + (t - from) * perSecond) + 0.5;
@@ -233,7 +233,7 @@ export class StripChart {
       context.textAlign = "left";
       context.fillStyle = colors.ink;
       context.fillText(
-        `${symbol(name)} ${Number.isFinite(value) ? value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1") : "–"}`,
+        `${symbol(name)} ${Number.isFinite(value) ? minus(value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")) : "–"}`,
         x + 14,
         top - 8,
       );

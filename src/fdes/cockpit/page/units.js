@@ -52,10 +52,13 @@ export function minutes(seconds) {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
+/** A number as it is read, with a true minus sign for the hyphen that JavaScript writes. */
+export const minus = (number) => String(number).replaceAll("-", "−");
+
 /** A number with three significant digits, a true minus sign and no exponent; an en dash for null. */
 export function figure(value, digits = 3) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const decimals = clamp(digits - 1 - Math.floor(Math.log10(Math.abs(value))), 0, 9);
-  return value.toFixed(decimals).replace("-", "−");
+  return minus(value.toFixed(decimals));
 }

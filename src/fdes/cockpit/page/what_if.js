@@ -8,7 +8,7 @@ import { button, choice } from "./fields.js";
 import { Ghost } from "./ghost.js";
 import { INTEGRATORS } from "./inputs.js";
 import { symbol } from "./strip_chart.js";
-import { shown } from "./units.js";
+import { minus, shown } from "./units.js";
 
 const MOST_VARIATIONS = 6;
 const EXAMPLE = "Cm_q*=0.5; law=yaw_damper";
@@ -200,4 +200,4 @@ export class WhatIf {
   }
 }
 
-const said = (value) => (Math.abs(value) >= 0.001 || value === 0 ? Number(value.toPrecision(3)).toString() : value.toExponential(0)).replace("-", "−");
+const said = (value) => minus(Math.abs(value) >= 0.001 || value === 0 ? Number(value.toPrecision(3)) : value.toExponential(0));
