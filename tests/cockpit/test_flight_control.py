@@ -90,6 +90,16 @@ def test_the_bare_yaw_damper_damps_the_dutch_roll_that_is_shown_and_flown(page: 
     page.wait_for_function(ENGAGED)
 
 
+def test_a_recording_says_with_what_it_began(page: Any) -> None:
+    engage(page, "yaw_damper")
+    changes = ["Cm_q*=0.5", "Cn_r*=0.5", "Cl_p*=0.5", "Cn_p*=0.5", "Cl_r*=0.5"]
+    page.evaluate("changes => window.fdes.link.command('edit', { changes })", changes)
+    page.evaluate("() => window.fdes.link.command('record', { value: true })")
+    page.get_by_role("tab", name="Recordings").click()
+    page.locator(".recordings li").first.get_by_text(f"{', '.join(changes[:4])} and 1 more · yaw damper").wait_for()
+    page.evaluate("() => window.fdes.link.command('record', { value: false })")
+
+
 def test_an_edit_of_the_aircraft_keeps_the_gains(page: Any) -> None:
     engage(page, "yaw_damper")
     before = told(page, "control")

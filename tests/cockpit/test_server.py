@@ -370,6 +370,7 @@ def test_first_movement_is_recorded_and_comes_back_in_every_form(served: Served,
     with httpx.Client(base_url=served.url) as http:
         (listed,) = http.get("/api/recordings").json()
         assert (listed["name"], listed["aircraft"], listed["condition"]) == (name, "A-4D", "M0.4_SL")
+        assert (listed["condition_name"], listed["plant"], listed["law"]) == ("Mach 0.4, sea level", "linear", "direct")
         assert listed["bytes"] == (recordings / f"{name}.fdes").stat().st_size
         csv = http.get(f"/api/recordings/{name}.csv")
         assert f'filename="{name}.csv"' in csv.headers["content-disposition"]

@@ -100,13 +100,7 @@ class Site:
         if self._listing is None or self._listing.done():
             self._listing = asyncio.ensure_future(asyncio.to_thread(list_recordings, self._cabins.recordings))
         listed = await asyncio.shield(self._listing)
-        said = ("aircraft", "condition", "started", "what_if")
-        return JSONResponse(
-            [
-                {"name": r.name, **{k: r.header.get(k) for k in said}, "seconds": round(r.seconds, 2), "bytes": r.bytes}
-                for r in listed
-            ]
-        )
+        return JSONResponse([in_a_list(recording) for recording in listed])
 
     async def csv(self, request: Request) -> Response:
         """A recording as CSV."""
@@ -264,6 +258,20 @@ def found(cabins: Cabins, name: str) -> Path:
         return cabins.recording(name)
     except RecordingError as none:
         raise HTTPException(404, str(none)) from none
+
+
+def in_a_list(recording: "Listed") -> dict[str, Any]:
+    """What tells a recording from others: which aircraft, when, how long, and with what it began."""
+    header = recording.header
+    said = ("aircraft", "condition", "variant", "changes", "law", "plant", "started", "what_if")
+    conditions = {each.get("id"): each.get("name") for each in header.get("document", {}).get("conditions", [])}
+    return {
+        "name": recording.name,
+        **{key: header.get(key) for key in said},
+        "condition_name": conditions.get(header.get("condition")),
+        "seconds": round(recording.seconds, 2),
+        "bytes": recording.bytes,
+    }
 
 
 async def small_body(request: Request) -> bytes:

@@ -3,6 +3,7 @@
 import { fetchJson, html } from "./dom.js";
 import { minutes } from "./units.js";
 
+const FEW = 4; // changes of an aircraft that are named in the list
 export const MOST = 4; // recordings overlaid: as many as there are colors for
 
 export class RecordingsPanel {
@@ -64,10 +65,11 @@ export class RecordingsPanel {
       { class: "recordings", "aria-label": "Recordings, newest first" },
       recordings.map((recording) => {
         const file = `/api/recordings/${encodeURIComponent(recording.name)}`;
-        const what = `${recording.aircraft}, ${recording.condition}`;
+        const what = `${recording.aircraft}, ${recording.condition_name ?? recording.condition}`;
         const flownAs = recording.what_if === null ? [] : [`what if: ${recording.what_if || "as it was"}`];
         const growing = recording.name === this.growing ? ["being recorded"] : [];
         const details = [...growing, ...flownAs, when(recording.started), minutes(recording.seconds), size(recording.bytes)];
+        const began = beganWith(recording);
         return html(
           "li",
           { class: recording.name === this.playing ? "is-playing" : "" },
@@ -78,7 +80,7 @@ export class RecordingsPanel {
             title: "Mark for the overlay: up to four",
             onchange: ({ target }) => this.mark(target, recording.name, `${what}, ${when(recording.started)}`),
           }),
-          html("div", {}, html("b", {}, what), html("small", {}, details.join(" · "))),
+          html("div", {}, html("b", {}, what), html("small", {}, details.join(" · ")), began ? html("small", { title: "With what the recording began" }, began) : null),
           html(
             "span",
             { class: "row-actions" },
@@ -133,6 +135,17 @@ export class RecordingsPanel {
       }),
     );
   }
+}
+
+/** What is not as in the aircraft's file, flown bare and linear; nothing where all is. Older recordings say less. */
+function beganWith({ variant, changes, law, plant }) {
+  const laws = (law ?? "direct").split(";").map((part) => part.trim().split(" ")[0].replaceAll("_", " "));
+  return [
+    ...(variant === "printed" ? ["as printed"] : []),
+    ...(plant === "nonlinear" ? ["nonlinear"] : []),
+    ...(changes?.length ? [changes.slice(0, FEW).join(", ") + (changes.length > FEW ? ` and ${changes.length - FEW} more` : "")] : []),
+    ...laws.filter((name) => name !== "direct"),
+  ].join(" · ");
 }
 
 function lesson() {
