@@ -226,6 +226,20 @@ def test_no_accessibility_violations(browser: Any, cockpit: str, theme: str) -> 
     page.close()
 
 
+def test_the_page_fits_usual_windows(page: Any) -> None:
+    for width in (1024, 1200, 1280, 1366, 1440, 1536, 1600, 1680, 1920):
+        page.set_viewport_size({"width": width, "height": 680})
+        rows, wider, cut = page.evaluate(
+            """() => {
+              const tabs = [...document.querySelectorAll("#tabs [role=tab]")].map((tab) => tab.offsetTop);
+              const over = ({ scrollWidth, clientWidth }) => scrollWidth - clientWidth;
+              const condition = document.querySelector("#aircraft-condition");
+              return [new Set(tabs).size, over(document.body), over(condition)];
+            }"""
+        )
+        assert (width, rows, wider, cut) == (width, 1, 0, 0)
+
+
 def test_values_on_the_page_are_finite(page: Any) -> None:
     numbers = [v for v in drawn(page).values() if isinstance(v, (int, float))]
     assert len(numbers) > 30

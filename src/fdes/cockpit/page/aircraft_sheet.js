@@ -1,7 +1,7 @@
 /** The Aircraft tab: what is flown, and which of its numbers no source gives. */
 
 import { html } from "./dom.js";
-import { DEG, POUND, degrees, feet, figure, knots } from "./units.js";
+import { DEG, POUND, degrees, feet, figure, fixed, knots, minus } from "./units.js";
 
 export function drawSheet(panel, aircraft) {
   panel.replaceChildren(
@@ -25,7 +25,7 @@ function facts(aircraft) {
       `${figure(aircraft.V, 4)} m/s (${Math.round(knots(aircraft.V))} kt true), Mach ${aircraft.mach.toFixed(2)}`,
     ],
     ["Flight begins at", `${whole(aircraft.h)} m (${whole(feet(aircraft.h))} ft)`],
-    ["Trim angle of attack", `${degrees(aircraft.alpha_trim).toFixed(2)}°`],
+    ["Trim angle of attack", `${minus(fixed(degrees(aircraft.alpha_trim), 2))}°`],
     [
       "Full stick",
       `aft: elevator ${angle(full.elevator)}; right: aileron ${angle(full.aileron)}; ` +
@@ -47,7 +47,7 @@ function equations({ plant, form }) {
 }
 
 const whole = (number) => Math.round(number).toLocaleString("en");
-const angle = (radians) => `${Number((radians / DEG).toFixed(1))}°`;
+const angle = (radians) => `${minus(Number((radians / DEG).toFixed(1)))}°`;
 
 function assumptions(assumed) {
   if (!assumed.length) return [];

@@ -4,7 +4,7 @@
  * `glass` is as in hud_conformal.js; `state` the outputs in SI.
  */
 
-import { DEG, clamp, compass, degrees, feet, feetPerMinute, halfTurn, knots } from "./units.js";
+import { DEG, clamp, compass, degrees, feet, feetPerMinute, fixed, halfTurn, knots } from "./units.js";
 
 const zeros = (number, digits) => String(number).padStart(digits, "0");
 
@@ -84,9 +84,9 @@ export function scales(glass, state, mostG) {
   const small = letter * 0.88;
   const row = (i) => cy + half + (15 + 17 * i) * k;
   ink.text(`M ${state.mach.toFixed(2)}`, left - 62 * k, row(0), small, -1);
-  ink.text(`G ${state.n_z.toFixed(1)}`, left - 62 * k, row(1), small, -1);
+  ink.text(`G ${fixed(state.n_z, 1)}`, left - 62 * k, row(1), small, -1);
   ink.text(mostG.toFixed(1), left + 22 * k, row(1), small, 1);
-  ink.text(`α ${degrees(state.alpha).toFixed(1)}`, left - 62 * k, row(2), small, -1);
+  ink.text(`α ${fixed(degrees(state.alpha), 1)}`, left - 62 * k, row(2), small, -1);
   ink.text(climbText(state), right + 12 * k, row(0), small, -1);
   ink.text(`R ${Math.max(0, Math.round(altitude))}`, right + 12 * k, row(1), small, -1);
 }
@@ -97,7 +97,7 @@ export function readouts(glass, state) {
   const [left, right] = [cx - R * 1.2, cx + R * 1.2];
   ink.text(speedText(state), left, cy, letter * 1.15, 1);
   ink.text(altitudeText(state), right, cy, letter * 1.15, -1);
-  ink.text(`G ${state.n_z.toFixed(1)}`, left, cy + 20 * k, letter * 0.88, 1);
+  ink.text(`G ${fixed(state.n_z, 1)}`, left, cy + 20 * k, letter * 0.88, 1);
   ink.text(climbText(state), right, cy + 20 * k, letter * 0.88, -1);
 }
 

@@ -7,7 +7,7 @@ import { AircraftPainter, DRAWN_TIMES } from "./aircraft_painter.js";
 import { bodyAxes, camera, toBody } from "./camera.js";
 import { Path } from "./flown_path.js";
 import { RUNWAY } from "./scenery.js";
-import { DEG, clamp, compass, degrees, feet, feetPerMinute, halfTurn, knots, minus } from "./units.js";
+import { DEG, clamp, compass, degrees, feet, feetPerMinute, fixed, halfTurn, knots, minus } from "./units.js";
 
 const LAG = 0.45; // s: how fast the chase camera takes over a change of direction
 const BEHIND = 2.1; // sizes of the aircraft
@@ -126,4 +126,4 @@ export class OutsideView {
 }
 
 const far = (state, cam) => Math.hypot(state.north - cam.north, state.east - cam.east, state.h - cam.eye);
-const angle = (radians) => `${minus(degrees(radians).toFixed(1).replace("-0.0", "0.0"))}°`;
+const angle = (radians) => `${minus(fixed(degrees(radians), 1))}°`;

@@ -82,9 +82,11 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
   plane.append(svg("clipPath", { id: clipId }, svg("rect", box)), svg("rect", { class: "s-pane", ...box }), grid);
   plane.append(drawTrail(trail, at, clipId), drawBare(bare, at));
   const said = without.length && x === 0 ? `${title} · ◇ bare aircraft` : title;
+  const middle = (at.x(0) + x + width) / 2; // of the half of divergent roots
   const words = [
     [x, x + said.length * 5.6, height - 14, height], // not to be covered: left, right, top, bottom
     [at.x(0) - 1, at.x(0) + 1, 0, height],
+    [middle - 5, middle + 5, height - 50, height - 6],
   ];
   for (let im = step; im < top; im += step) {
     plane.append(svg("text", { class: "s-number", x: at.x(0) + 3, y: at.y(im) + 3.5 }, tidy(im)));
@@ -98,8 +100,7 @@ function drawPane(plane, named, all, { x, width, height, title, trail, bare }) {
     grid.append(svg("path", { class: "s-axis", d: `M${at.x(-re)} ${at.y(0) - 2}v4` }));
   }
   plane.append(svg("text", { class: "s-title", x: x + 6, y: height - 5 }, said));
-  const room = x === 0 && width > said.length * 5.6 + 64;
-  if (room) plane.append(svg("text", { class: "s-number s-end", x: x + width - 5, y: height - 5 }, "unstable →"));
+  if (x === 0) plane.append(svg("text", { class: "s-number s-middle", transform: `translate(${middle + 3} ${height - 28}) rotate(-90)` }, "unstable"));
   placeLabels(plane, named, at, { x, width, height }, words);
 }
 

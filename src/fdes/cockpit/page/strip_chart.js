@@ -3,7 +3,7 @@
  * its past. Point at the chart to read values at an earlier time; while time stands still a slider goes further back.
  */
 
-import { clamp, minus, roundStep, shown } from "./units.js";
+import { clamp, fixed, minus, roundStep, shown } from "./units.js";
 
 const SECONDS = 20;
 const KEPT = 120; // s
@@ -13,6 +13,7 @@ const LEFT = 44; // px for the numbers of the axis
 const RIGHT = 10;
 const TITLE = 17; // px above each lane for its legend
 const FOOT = 20; // px below all lanes for the time axis
+const NUMBER = 16; // px from number to number up an axis, at least: those at its ends are moved in
 const ROW = 20; // px between the lines of an axis, at least
 const LATE_START = 12; // s of flight before the chart stops explaining its empty part
 const HALF_TURN = Math.PI; // rad: no angle goes so far from row to row, but for one that begins a new turn
@@ -207,12 +208,13 @@ export class StripChart {
     context.beginPath();
     context.fillStyle = colors.quiet;
     context.textAlign = "right";
+    const every = Math.ceil(NUMBER / (y(axis.low) - y(axis.low + axis.step)));
     for (let n = 0; n * axis.step <= axis.high - axis.low + 1e-9; n++) {
       const value = axis.low + n * axis.step;
       const at = Math.round(y(value)) + 0.5;
       context.moveTo(left, at);
       context.lineTo(right, at);
-      context.fillText(minus(Number(value.toFixed(3))), left - 6, clamp(at, top + 4, bottom - 3));
+      if (n % every === 0) context.fillText(minus(Number(value.toFixed(3))), left - 6, clamp(at, top + 4, bottom - 3));
     }
     for (let t = Math.ceil(from / 5) * 5; t <= now; t += 5) {
       const x = Math.round(left + (t - from) * perSecond) + 0.5;
@@ -233,7 +235,7 @@ export class StripChart {
       context.textAlign = "left";
       context.fillStyle = colors.ink;
       context.fillText(
-        `${symbol(name)} ${Number.isFinite(value) ? minus(value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")) : "–"}`,
+        `${symbol(name)} ${Number.isFinite(value) ? minus(fixed(value, digits)) : "–"}`,
         x + 14,
         top - 8,
       );

@@ -52,6 +52,9 @@ export function minutes(seconds) {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
+/** `value` with so many decimals; what rounds to zero has no sign. */
+export const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+
 /** A number as it is read, with a true minus sign for the hyphen that JavaScript writes. */
 export const minus = (number) => String(number).replaceAll("-", "−");
 
