@@ -72,7 +72,7 @@ def test_on_several_workers_the_cockpit_is_on_one_and_comes_last(run: pytest.Pyt
     ran = [Path(file).parent.name for file in files]
     assert len(set(workers)) > 1
     assert len({worker for worker, folder in zip(workers, ran, strict=True) if folder == "cockpit"}) == 1
-    assert "plain" not in ran[-15:]  # the last few plain tests may still run when the cockpit's begin
+    assert ran[ran.index("cockpit") :].count("plain") <= 6  # which each worker had already: at most two of three
 
 
 def test_every_file_is_collected() -> None:

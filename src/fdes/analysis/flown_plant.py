@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from fdes.aircraft import FlightCondition
 from fdes.errors import NoSuchPart, SpecError
 from fdes.flight.plants import EXACT, plant_of
+from fdes.physics.derivatives import Form
 
 if TYPE_CHECKING:
     from fdes.physics.plant import SixDof
@@ -74,6 +75,12 @@ def _stall(aero: Any) -> tuple[float, float]:
 def is_nonlinear(header: Mapping[str, Any]) -> bool:
     """Whether the flight of that header was one of the nonlinear plant."""
     return NONLINEAR in {header.get("plant"), header.get("form")}
+
+
+def form_in(header: Mapping[str, Any]) -> Form:
+    """The form of the linear equations that a header says; `full` where it says the nonlinear plant in its place."""
+    said: Form = header["form"]
+    return "full" if said == NONLINEAR else said
 
 
 def plant_in(header: Mapping[str, Any], condition: FlightCondition) -> "SmallPerturbation | SixDof":

@@ -13,7 +13,7 @@ import numpy as np
 
 from fdes.aircraft import FlightCondition, edited, load, parse
 from fdes.analysis.design import law_for
-from fdes.analysis.flown_plant import NONLINEAR, is_nonlinear, plant_in
+from fdes.analysis.flown_plant import form_in, is_nonlinear, plant_in
 from fdes.errors import RecordingError, SpecError
 from fdes.flight import Recording, Setup
 from fdes.flight.actuated import actuators_of, recorded_type, with_actuators
@@ -96,7 +96,7 @@ def what_if(recording: Recording, variation: Variation | str = "") -> Reflight:
         new = other.header(recording.header)
         flown = condition_of(new)
         moved = actuators_of(flown) if new.get("actuators") else None
-        gains = law_for(new["law"], flown, new["form"], frame=new["dt"], actuators=moved).text
+        gains = law_for(new["law"], flown, form_in(new), frame=new["dt"], actuators=moved).text
         other = _Other(replace(variation, instead={**variation.instead, "law": gains}))
     if variation.instead.keys() & {*OF_THE_AIRCRAFT, "plant"}:
         recording = _begun_by(recording, other)
@@ -124,8 +124,8 @@ class _Other:
         new = dict(recorded) | {key: instead[key] for key in ("plant", "form", "integrator", "law") if key in instead}
         if "actuators" in instead:
             new["actuators"] = SWITCHED[instead["actuators"]]
-        if "plant" in instead and new["form"] == NONLINEAR:  # as `simulate` says it
-            new["form"] = "full"
+        if "plant" in instead:
+            new["form"] = form_in(new)
         if instead.keys() & set(OF_THE_AIRCRAFT):
             new |= self._aircraft(recorded)
         new |= {"changes": [*recorded.get("changes", ()), *self.variation.changes]}
@@ -203,6 +203,6 @@ def setup_of(header: Mapping[str, Any]) -> Setup:
     """Plant and law of a header. Raises FdesError."""
     condition = condition_of(header)
     flown = condition if header.get("limits", True) else replace(condition, limits=NO_LIMITS)
-    law = law_for(header.get("law", "direct"), condition, header["form"], frame=header["dt"]).law
+    law = law_for(header.get("law", "direct"), condition, form_in(header), frame=header["dt"]).law
     plant = plant_in(header, flown)
     return Setup(with_actuators(plant, condition) if header.get("actuators") else plant, law)
