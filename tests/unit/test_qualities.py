@@ -99,9 +99,29 @@ def test_a_phugoid_that_has_merged_is_judged_as_the_third_oscillation() -> None:
     named = {mode.name for mode in modes(merged)}
     assert "third_oscillatory" in named
     first, second, *_ = assess(merged, IV_A)
-    assert first.level is None
-    assert "third oscillatory" in first.reason
+    assert first.level == WORSE
+    assert "merged with the phugoid; at constant speed its roots are -2.12 and -0.221 1/s. Frequency" in first.reason
     assert "third oscillation, which is judged here" in second.reason
+
+
+def test_a_short_period_that_merges_is_not_lost_between_two_that_are_judged() -> None:
+    """Stiffness goes from too little over none to less than none: nowhere is the aircraft without a verdict."""
+    caps = []
+    for Cm_alpha in (-0.05, 0.0, 0.01, 0.02, 0.03, 0.05):
+        short_period, *_ = assess(edited(A4D, [f"Cm_alpha={Cm_alpha}"]), IV_A)
+        assert short_period.level == WORSE or Cm_alpha < 0.0
+        caps.append(float(short_period.value or 0.0))
+    assert caps == sorted(caps, reverse=True)
+    neutral, *_ = assess(edited(A4D, ["Cm_q=0", "Cm_alpha=0"]), IV_A)
+    assert (neutral.level, neutral.value) == (WORSE, pytest.approx(0.0, abs=1e-9))
+
+
+def test_with_an_actuator_a_merged_short_period_is_missing_and_told() -> None:
+    bare = linear_model(edited(A4D, ["Cm_alpha=0.02"]))
+    moved = with_actuators(bare, Actuators(*(Actuator(bandwidth=20.0) for _ in Actuators._fields)))
+    short_period, *_ = assess(moved, IV_A)
+    assert short_period.level is None
+    assert "third oscillatory" in short_period.reason
 
 
 @pytest.mark.parametrize(

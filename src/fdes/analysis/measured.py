@@ -2,7 +2,8 @@
 
 A mode whose two roots have turned real is still a second-order motion: omega^2 is the product of its roots and zeta
 follows from their sum, greater than 1. Where one of them is unstable omega^2 is negative. A mode that has merged with
-another is none any more, and what was measured on it is missing, with the reason.
+another is none any more, and what was measured on it is missing, with the reason; but a Dutch roll goes on as what it
+has become, and a short period as the motion at constant speed.
 """
 
 import math
@@ -13,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from fdes.analysis.linearize import STATES
 from fdes.analysis.modes import Mode, modes
 from fdes.control import LinearModel
 
@@ -83,7 +85,7 @@ def measure(
     named = {mode.name: mode for mode in (modes(model) if found is None else found)}
     missing: dict[str, str] = {}
     notes: dict[str, str] = {}
-    short_period, missing["omega_sp"] = _pair("short_period", named, notes)
+    short_period, missing["omega_sp"] = _short_period(model, named, notes)
     after_yaw = _after_yaw(named)
     dutch_roll, missing["omega_dr"] = _dutch_roll(after_yaw, named, notes)
     phugoid, missing["zeta_ph"] = _phugoid(named, notes)
@@ -217,6 +219,30 @@ def _with_growth(name: str, mode: Mode) -> str:
     """The name of a mode in words, and how fast it grows if it does."""
     grows = "" if mode.time_to_double is None else f", unstable: it doubles in {mode.time_to_double:.3g} s"
     return name.replace("_", " ") + grows
+
+
+def _short_period(model: LinearModel, named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
+    """The short period; where it has merged with the phugoid, the motion in w and q at constant speed.
+
+    That is the approximation of which the requirements on the short-term response are made (R. C. Nelson, Flight
+    Stability and Automatic Control, 2nd ed., 1998, chapter 4), and it goes on where the exact mode ends. A model with
+    states of law or actuators has no such part: there the short period is missing.
+    """
+    if "third_oscillatory" not in named or not _is_bare(model):
+        return _pair("short_period", named, notes)
+    at = [model.states.index("w"), model.states.index("q")]
+    a, b = sorted(np.linalg.eigvals(model.A[np.ix_(at, at)]), key=lambda root: root.real)
+    product, total = float((a * b).real), float((a + b).real)
+    roots = f"{a.real:.3g} and {b.real:.3g} 1/s" if a.imag == 0.0 else f"{a.real:.3g} +- {abs(a.imag):.3g}i 1/s"
+    notes["short_period"] = f"The short period has merged with the phugoid; at constant speed its roots are {roots}."
+    if product <= 0.0:
+        return Pair(-math.sqrt(-product), None), "One of its two roots at constant speed does not decay."
+    return Pair(math.sqrt(product), -total / (2.0 * math.sqrt(product))), ""
+
+
+def _is_bare(model: LinearModel) -> bool:
+    """Whether the pitching motion of a continuous model has no states but the airframe's."""
+    return model.dt is None and {"w", "q"} <= set(model.states) <= set(STATES)
 
 
 def _phugoid(named: Mapping[str, Mode], notes: dict[str, str]) -> tuple[Pair | None, str]:
