@@ -114,6 +114,7 @@ def test_a_short_period_that_merges_is_not_lost_between_two_that_are_judged() ->
     assert caps == sorted(caps, reverse=True)
     neutral, *_ = assess(edited(A4D, ["Cm_q=0", "Cm_alpha=0"]), IV_A)
     assert (neutral.level, neutral.value) == (WORSE, pytest.approx(0.0, abs=1e-9))
+    assert "CAP is 0.00 1/(g s^2), from omega_sp^2 = 0 (rad/s)^2" in neutral.reason
 
 
 def test_with_an_actuator_a_merged_short_period_is_missing_and_told() -> None:

@@ -30,7 +30,7 @@ def frequency_in_words(symbol: str, omega: float) -> str:
     """
     if omega > 0.0:
         return f"{symbol} {omega:.3g} rad/s"
-    return f"{symbol}^2 = {-omega * omega:.3g} (rad/s)^2, the product of its roots"
+    return f"{symbol}^2 = {omega * abs(omega):.3g} (rad/s)^2, the product of its roots"
 
 
 @dataclass(frozen=True)
@@ -236,7 +236,7 @@ def _short_period(model: LinearModel, named: Mapping[str, Mode], notes: dict[str
     roots = f"{a.real:.3g} and {b.real:.3g} 1/s" if a.imag == 0.0 else f"{a.real:.3g} +- {abs(a.imag):.3g}i 1/s"
     notes["short_period"] = f"The short period has merged with the phugoid; at constant speed its roots are {roots}."
     if product <= 0.0:
-        return Pair(-math.sqrt(-product), None), "One of its two roots at constant speed does not decay."
+        return Pair(0.0 - math.sqrt(-product), None), "One of its two roots at constant speed does not decay."
     return Pair(math.sqrt(product), -total / (2.0 * math.sqrt(product))), ""
 
 
